@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robots/grasp.h"
+#include "robots/manipulator.h"
+#include "state_validity/collision_checker.h"
+
+namespace b4p {
+
+/// A robot file (robots/*.yaml): a URDF and how to use it.
+struct RobotFile {
+  std::string file;       ///< the file read
+  std::string urdf_file;  ///< resolved path
+  ManipulatorDescription description;
+};
+
+enum class GraspFamily {
+  kPolygonEdges,  ///< planar robot: one grasp per polygon edge, at its midpoint, along the inward normal
+  kBox,           ///< parallel gripper on a box: pads on two opposite faces no farther apart than the opening
+};
+
+/// How grasps are drawn.
+struct GraspSource {
+  GraspFamily family = GraspFamily::kBox;
+  std::vector<Eigen::Vector2d> polygon_m;  ///< kPolygonEdges: outline, counter-clockwise, in the object frame
+  Eigen::Vector3d box_size_m;              ///< kBox: sizes of the box that is grasped, centred in O
+  double finger_depth_m = 0.0;   ///< kBox: how far the TCP reaches past the face it approaches through
+  double pad_clearance_m = 0.0;  ///< gap left between the object and each pad (or the gripper's front)
+};
+
+/// Where the object's origin may come to rest, in the world.
+struct PlacementSource {
+  Eigen::Vector3d min_m, max_m;            ///< box of positions
+  bool upright = false;                    ///< z of O is vertical at the end
+  double yaw_min_rad = -3.14159265358979323846;
+  double yaw_max_rad = 3.14159265358979323846;  ///< orientation: R_start_upright turned about the world z by a yaw in this window
+};
+
+/// What has been measured about a scene and is stated in its file.
+struct SceneNumbers {
+  int grasps_sampled = 0;
+  int grasps_valid_at_pick = 0;
+  int grasps_compatible = 0;
+};
+
+/// A pick-and-place task as its file describes it (experiments/scenes/*.yaml).
+struct Scene {
+  std::string file;
+  std::string name;
+  RobotFile robot;
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  std::vector<Obstacle> obstacles;
+  std::string object_name;
+  std::vector<PlacedShape> object;  ///< in O
+  Eigen::Isometry3d X_WO_start = Eigen::Isometry3d::Identity();
+  GraspSource grasps;
+  PlacementSource placement;
+  double edge_step_m = 0.01;
+  double contact_clearance_m = 0.0;  ///< height at which the object is held over its support at pick and place
+  double budget_s = 10.0;            ///< the scene's usual time limit
+  SceneNumbers numbers;
+};
+
+/// Loads a scene by path, or by name from the scenes that ship with b4p.
+/// @throws InputError naming file, key and value: missing or malformed YAML, unknown or missing key, wrong
+///   schema version, wrong type or count, non-finite or out-of-range number, unknown robot.
+Scene loadScene(const std::string& name_or_path);
+
+/// Loads a robot file by path, or by name from those that ship with b4p.
+RobotFile loadRobotFile(const std::string& name_or_path);
+
+/// Names of the scenes that ship with b4p.
+std::vector<std::string> sceneNames();
+
+}  // namespace b4p

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/b4p/default_worker.h"
+
+#include <algorithm>
+
+namespace b4p {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+void DefaultWorker::advance() {
+  if (!turn_) takeTurn();
+  if (turn_->forests == nullptr)
+    drawRoots();
+  else if (turn_->forests->treeCount(Side::kPick) == 0 || turn_->forests->treeCount(Side::kPlace) == 0)
+    seekPlaceRoot();
+  else
+    grow(*turn_->forests);
+  if (turn_ && --left_ == 0) endTurn(false);
+}
+
+void DefaultWorker::takeTurn() {
+  turn_ = search().schedule().take();
+  left_ = turn_->forests == nullptr ? search().parameters().root_attempts : search().parameters().slice;
+}
+
+void DefaultWorker::endTurn(bool fruitful) {
+  search().schedule().giveBack(*turn_, fruitful);
+  turn_.reset();
+}
+
+// New forests are worth a turn of their own once both their sides have a root.
+void DefaultWorker::drawRoots() {
+  if (search().region() == nullptr) return endTurn(search().plantGoal());
+  const std::size_t picks = search().rootCount(Side::kPick);
+  const GraspId grasp = drawPick();
+  if (grasp == kNoGrasp) return;
+  const bool is_new = search().rootCount(Side::kPick) > picks;
+  const bool placed = placeTreeFor(region().samplePlacement(), grasp) != nullptr;
+  if (is_new && placed) endTurn(true);
+}
+
+void DefaultWorker::seekPlaceRoot() {
+  if (search().region() != nullptr && turn_->forests->treeCount(Side::kPlace) == 0)
+    placeTreeFor(region().samplePlacement(), turn_->forests->grasp());
+  endTurn(false);
+}
+
+void DefaultWorker::grow(ForestPair& forests) {
+  const Growth growth = growAndConnect(forests, next_side_, motion().sample(), motion());
+  next_side_ = opposite(next_side_);
+  if (growth.grown == nullptr) return;
+  countOne(search().statistics().connections_tried);
+  if (growth.junction && search().rootsMatch(*growth.junction))
+    return search().publish(pathThrough(*growth.junction, search().si()));
+  if (search().region() != nullptr) joinAcrossGrasps(growth.grown);
+}
+
+void DefaultWorker::joinAcrossGrasps(const Node* grown) {
+  const Side side = grown->tree->side;
+  const Node* near = search().nearestAnywhere(opposite(side), grown->state);
+  if (near == nullptr || near->tree->grasp == grown->tree->grasp || search().repairCount() > 0) return;
+  const Junction junction = side == Side::kPick ? Junction{grown, near} : Junction{near, grown};
+  const GraspId grasp = junction.pick->tree->grasp;
+  if (!search().memory().mayJoin(junction.pick->tree, junction.place->tree)) return;
+  const Tree* end = placeTreeFor(junction.place->tree->placement, grasp);
+  if (end == nullptr) return;
+  countOne(search().statistics().connections_tried);
+  if (motion().isFree(junction.pick->state, junction.place->state, grasp)) repair(junction, end->root->state);
+}
+
+// Eq. 3 is asked once per placement and grasp; its roots stay as trees.
+const Tree* DefaultWorker::placeTreeFor(PlacementId placement, GraspId grasp) {
+  if (const auto known = search().memory().placeTree(placement, grasp)) return *known;
+  const Tree* tree = nullptr;
+  if (derivePlaceRoot(placement, grasp)) tree = search().plant(Side::kPlace, root(), grasp, placement);
+  search().memory().setPlaceTree(placement, grasp, tree);
+  return tree;
+}
+
+void DefaultWorker::salvage(const PathRepair& repair) {
+  search().memory().repairFailed(repair.junction().pick->tree, repair.junction().place->tree);
+  transplant(Side::kPick, repair.freePrefix());
+  og::PathGeometric suffix = repair.freeSuffix();
+  suffix.reverse();
+  transplant(Side::kPlace, suffix);
+}
+
+// The path starts at a root or leaves a tree at a state that is already in it.
+void DefaultWorker::transplant(Side side, const og::PathGeometric& path) {
+  ForestPair& forests = search().forestsOf(motion().grasps().get(path.getState(0)));
+  const Node* node = nullptr;
+  for (const ob::State* state : path.getStates()) {
+    const Node* nearest = forests.nearest(side, state);
+    if (nearest == nullptr) return;
+    if (search().si()->equalStates(nearest->state, state))
+      node = nearest;
+    else if (node != nullptr)
+      node = forests.grow(node, state);
+    else
+      return;
+  }
+}
+
+}  // namespace b4p

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "planners/b4p/schedule.h"
+#include "planners/b4p/worker.h"
+
+namespace b4p {
+
+/// The worker of the default search. Each grasp has forests of its own, which grow by RRT-Connect and are served in turn (Schedule); roots are drawn
+/// without limit. Every new node is also offered to the nearest tree of any other grasp: if Eq. 3 has a root for it, the two are
+/// joined and the path repaired. What a failed repair found out is kept: the free ends of its path join the trees.
+class DefaultWorker : public Worker {
+ public:
+  using Worker::Worker;
+
+ protected:
+  void advance() override;
+  void salvage(const PathRepair& repair) override;
+
+ private:
+  void takeTurn();
+  void endTurn(bool fruitful);
+  void drawRoots();
+  void seekPlaceRoot();
+  void grow(ForestPair& forests);
+  void joinAcrossGrasps(const Node* grown);
+  const Tree* placeTreeFor(PlacementId placement, GraspId grasp);
+  void transplant(Side side, const ompl::geometric::PathGeometric& path);
+
+  std::optional<Schedule::Turn> turn_;
+  unsigned left_ = 0;  ///< steps of this turn
+  Side next_side_ = Side::kPick;
+};
+
+}  // namespace b4p

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <shared_mutex>
+#include <vector>
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/datastructures/NearestNeighbors.h>
+
+#include "planners/pick_place_region.h"
+
+namespace b4p {
+
+enum class Side { kPick = 0, kPlace = 1 };
+inline Side opposite(Side side) { return side == Side::kPick ? Side::kPlace : Side::kPick; }
+inline std::size_t index(Side side) { return static_cast<std::size_t>(side); }
+
+struct Tree;
+class ForestPair;
+
+/// A configuration in a tree, joined to its parent by a motion that is free under the tree's grasp.
+struct Node {
+  const ompl::base::State* state;
+  Node* parent;  ///< nullptr for a root
+  Tree* tree;
+};
+
+/// What has grown from one root. Place roots remember the object placement they were derived from.
+struct Tree {
+  Side side;
+  GraspId grasp;
+  PlacementId placement;
+  Node* root;
+  ForestPair* home;
+  std::atomic<std::size_t> size{1};
+};
+
+using StateDistance = std::function<double(const ompl::base::State*, const ompl::base::State*)>;
+
+/// Nearest neighbours among nodes. Any thread may add or ask.
+class NodeIndex {
+ public:
+  explicit NodeIndex(const StateDistance& distance);
+  void add(const Node* node);
+  /// nullptr while empty.
+  const Node* nearest(const ompl::base::State* state) const;
+  std::size_t size() const;
+
+ private:
+  mutable std::shared_mutex mutex_;
+  std::unique_ptr<ompl::NearestNeighbors<const Node*>> nodes_;
+};
+
+/// A pick forest and a place forest that grow toward each other. Nodes only ever join; any thread may add or ask.
+class ForestPair {
+ public:
+  /// @param grasp       the grasp all its trees share, or kNoGrasp when they may differ
+  /// @param everywhere  further indices (pick, place) that every node joins; may be nullptr
+  ForestPair(ompl::base::SpaceInformationPtr si, const StateDistance& distance, GraspId grasp,
+             std::array<NodeIndex, 2>* everywhere = nullptr);
+  ~ForestPair();
+  ForestPair(const ForestPair&) = delete;
+  ForestPair& operator=(const ForestPair&) = delete;
+
+  GraspId grasp() const { return grasp_; }
+
+  /// Starts a tree from a copy of `root`. nullptr when this side has an equal root with this grasp already.
+  Tree* plant(Side side, const ompl::base::State* root, GraspId grasp, PlacementId placement);
+
+  /// Adds a copy of `state` below `parent`.
+  const Node* grow(const Node* parent, const ompl::base::State* state);
+
+  /// Nearest node of a side, whatever its tree; nullptr while there is none.
+  const Node* nearest(Side side, const ompl::base::State* state) const { return nodes_[index(side)].nearest(state); }
+
+  std::size_t treeCount(Side side) const;
+  std::vector<Tree*> trees(Side side) const;  ///< a snapshot
+  std::size_t nodeCount() const;
+  void forEachNode(const std::function<void(const Node&)>& visit) const;
+
+ private:
+  ompl::base::SpaceInformationPtr si_;
+  GraspId grasp_;
+  std::array<NodeIndex, 2>* everywhere_;
+  std::array<NodeIndex, 2> nodes_;
+  mutable std::shared_mutex mutex_;  // guards what follows
+  std::deque<Node> storage_;
+  std::array<std::deque<Tree>, 2> trees_;
+};
+
+}  // namespace b4p

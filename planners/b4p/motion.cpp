@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/b4p/motion.h"
+
+#include "planners/manipulation_state_space.h"
+
+namespace b4p {
+
+namespace ob = ompl::base;
+
+using ManipulationState = ManipulationStateSpace::StateType;
+
+GraspAccess::GraspAccess(const ob::SpaceInformationPtr& si)
+    : si_(si), present_(dynamic_cast<const ManipulationStateSpace*>(si->getStateSpace().get()) != nullptr) {}
+
+GraspId GraspAccess::get(const ob::State* state) const {
+  return present_ ? state->as<ManipulationState>()->grasp : kNoGrasp;
+}
+
+void GraspAccess::set(ob::State* state, GraspId grasp) const {
+  if (present_) state->as<ManipulationState>()->grasp = grasp;
+}
+
+StateDistance GraspAccess::distance() const {
+  const ob::StateSpace* space = si_->getStateSpace().get();
+  if (present_) {
+    const auto* manipulation = space->as<ManipulationStateSpace>();
+    return [manipulation](const ob::State* a, const ob::State* b) { return manipulation->jointDistance(a, b); };
+  }
+  return [space](const ob::State* a, const ob::State* b) { return space->distance(a, b); };
+}
+
+Motion::Motion(const ob::SpaceInformationPtr& si, double range)
+    : si_(si), grasps_(si), distance_(grasps_.distance()), range_(range), sampler_(si->allocStateSampler()) {
+  sample_ = si_->allocState();
+  from_ = si_->allocState();
+  to_ = si_->allocState();
+  end_ = si_->allocState();
+}
+
+Motion::~Motion() {
+  for (ob::State* state : {sample_, from_, to_, end_}) si_->freeState(state);
+}
+
+const ob::State* Motion::sample() {
+  sampler_->sampleUniform(sample_);
+  return sample_;
+}
+
+const ob::State* Motion::sampleAround(const ob::State* a, const ob::State* b) {
+  if (random_.uniformBool()) return sample();
+  si_->getStateSpace()->interpolate(a, b, random_.uniform01(), to_);
+  sampler_->sampleUniformNear(sample_, to_, distance_(a, b));
+  return sample_;
+}
+
+Motion::Reach Motion::extend(const ob::State* from, const ob::State* to, GraspId grasp) {
+  si_->copyState(from_, from);
+  si_->copyState(to_, to);
+  grasps_.set(from_, grasp);
+  grasps_.set(to_, grasp);
+  bool whole = true;
+  const double distance = distance_(from_, to_);
+  if (range_ > 0.0 && distance > range_) {
+    si_->getStateSpace()->interpolate(from_, to_, range_ / distance, end_);
+    si_->copyState(to_, end_);
+    whole = false;
+  }
+  std::pair<ob::State*, double> last_valid{end_, 0.0};
+  if (si_->checkMotion(from_, to_, last_valid)) {
+    si_->copyState(end_, to_);
+    return whole ? Reach::kReached : Reach::kAdvanced;
+  }
+  return last_valid.second > 0.0 ? Reach::kAdvanced : Reach::kTrapped;
+}
+
+bool Motion::isFree(const ob::State* a, const ob::State* b, GraspId grasp) {
+  si_->copyState(from_, a);
+  si_->copyState(to_, b);
+  grasps_.set(from_, grasp);
+  grasps_.set(to_, grasp);
+  return si_->checkMotion(from_, to_);
+}
+
+}  // namespace b4p

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateSampler.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "planners/b4p/forest.h"
+
+namespace b4p {
+
+/// Whether the states of a space carry grasps, and how far apart they are for B4P: by their joints alone.
+class GraspAccess {
+ public:
+  explicit GraspAccess(const ompl::base::SpaceInformationPtr& si);
+  bool present() const { return present_; }
+  GraspId get(const ompl::base::State* state) const;               ///< kNoGrasp where states carry none
+  void set(ompl::base::State* state, GraspId grasp) const;         ///< nothing where states carry none
+  StateDistance distance() const;
+
+ private:
+  ompl::base::SpaceInformationPtr si_;
+  bool present_;
+};
+
+/// One worker's hands in the state space: samples, and straight motions under a chosen grasp. Works on any SpaceInformation. One per thread.
+class Motion {
+ public:
+  enum class Reach { kTrapped, kAdvanced, kReached };
+
+  Motion(const ompl::base::SpaceInformationPtr& si, double range);
+  ~Motion();
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+
+  /// A random state, good until the next sample.
+  const ompl::base::State* sample();
+
+  /// A random state, half the time near the straight motion from a to b and otherwise anywhere.
+  const ompl::base::State* sampleAround(const ompl::base::State* a, const ompl::base::State* b);
+
+  /// Goes from `from` toward `to` under `grasp` as far as the motion stays free, at most `range`. Where it ends is end().
+  Reach extend(const ompl::base::State* from, const ompl::base::State* to, GraspId grasp);
+  const ompl::base::State* end() const { return end_; }
+
+  /// True when the straight motion a -> b is free under `grasp`.
+  bool isFree(const ompl::base::State* a, const ompl::base::State* b, GraspId grasp);
+
+  const GraspAccess& grasps() const { return grasps_; }
+  ompl::RNG& random() { return random_; }
+
+ private:
+  ompl::base::SpaceInformationPtr si_;
+  GraspAccess grasps_;
+  StateDistance distance_;
+  double range_;
+  ompl::base::StateSamplerPtr sampler_;
+  ompl::RNG random_;
+  ompl::base::State *sample_, *from_, *to_, *end_;
+};
+
+}  // namespace b4p

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/b4p/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace b4p {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+Search::Search(ob::SpaceInformationPtr si, const B4PParameters& parameters, const ob::GoalSampleableRegion* goal,
+               const PickPlaceRegion* region, ob::PlannerInputStates& inputs)
+    : si_(std::move(si)),
+      parameters_(parameters),
+      goal_(goal),
+      region_(region),
+      grasps_(si_),
+      inputs_(inputs),
+      everywhere_{NodeIndex(grasps_.distance()), NodeIndex(grasps_.distance())} {}
+
+ForestPair& Search::forestsOf(GraspId grasp) {
+  const GraspId key = parameters_.paper ? kNoGrasp : grasp;
+  std::lock_guard<std::mutex> lock(forests_mutex_);
+  auto& forests = forests_[key];
+  if (!forests) {
+    // Joins across grasps need an index over all forests; a single pair is its own.
+    const bool several = region_ != nullptr && !parameters_.paper;
+    forests = std::make_unique<ForestPair>(si_, grasps_.distance(), key, several ? &everywhere_ : nullptr);
+    schedule_.add(forests.get());
+  }
+  return *forests;
+}
+
+namespace {
+
+bool allFinite(const ob::StateSpace& space, const ob::State* state) {
+  std::vector<double> reals;
+  space.copyToReals(reals, state);
+  return std::all_of(reals.begin(), reals.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
+  if (!allFinite(*si_->getStateSpace(), root)) return nullptr;
+  Tree* tree = forestsOf(grasp).plant(side, root, grasp, placement);
+  if (tree == nullptr) return nullptr;
+  ++roots_[index(side)];
+  countOne(statistics_.roots);
+  countOne(statistics_.nodes);
+  return tree;
+}
+
+bool Search::plantGoal() {
+  std::lock_guard<std::mutex> lock(inputs_mutex_);
+  const ob::State* goal = inputs_.nextGoal();
+  return goal != nullptr && plant(Side::kPlace, goal, grasps_.get(goal)) != nullptr;
+}
+
+bool Search::outOfGoals() {
+  std::lock_guard<std::mutex> lock(inputs_mutex_);
+  return rootCount(Side::kPlace) == 0 && !inputs_.haveMoreGoalStates() && !goal_->couldSample();
+}
+
+bool Search::rootsMatch(const Junction& junction) const {
+  const Tree& pick = *junction.pick->tree;
+  const Tree& place = *junction.place->tree;
+  return pick.grasp == place.grasp && goal_->isStartGoalPairValid(pick.root->state, place.root->state);
+}
+
+void Search::publish(const og::PathGeometric& path) {
+  std::lock_guard<std::mutex> lock(solution_mutex_);
+  if (finished_) return;
+  solution_ = path;
+  finished_.store(true, std::memory_order_release);
+}
+
+std::optional<og::PathGeometric> Search::takeSolution() {
+  std::lock_guard<std::mutex> lock(solution_mutex_);
+  std::optional<og::PathGeometric> solution;
+  std::swap(solution, solution_);
+  finished_.store(false, std::memory_order_release);
+  return solution;
+}
+
+void Search::submit(std::shared_ptr<PathRepair> repair) {
+  countOne(statistics_.repairs_tried);
+  std::lock_guard<std::mutex> lock(repairs_mutex_);
+  repairs_.push_back(std::move(repair));
+  repairs_waiting_ = repairs_.size();
+}
+
+std::shared_ptr<PathRepair> Search::repair() {
+  if (repairs_waiting_.load(std::memory_order_relaxed) == 0) return nullptr;
+  std::lock_guard<std::mutex> lock(repairs_mutex_);
+  return repairs_.empty() ? nullptr : repairs_.front();
+}
+
+bool Search::retire(const std::shared_ptr<PathRepair>& repair) {
+  std::lock_guard<std::mutex> lock(repairs_mutex_);
+  const auto found = std::find(repairs_.begin(), repairs_.end(), repair);
+  if (found == repairs_.end()) return false;
+  repairs_.erase(found);
+  repairs_waiting_ = repairs_.size();
+  return true;
+}
+
+void Search::forEachNode(const std::function<void(const Node&)>& visit) const {
+  std::lock_guard<std::mutex> lock(forests_mutex_);
+  for (const auto& [grasp, forests] : forests_) forests->forEachNode(visit);
+}
+
+}  // namespace b4p

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <ompl/base/Planner.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/geometric/PathGeometric.h>
+
+#include "planners/b4p/connection_memory.h"
+#include "planners/b4p/forest.h"
+#include "planners/b4p/parameters.h"
+#include "planners/b4p/path_repair.h"
+#include "planners/b4p/schedule.h"
+#include "planners/b4p/statistics.h"
+
+namespace b4p {
+
+/// Everything the workers of one query share. Any thread may call anything.
+class Search {
+ public:
+  /// @param goal    where the query ends; not null
+  /// @param region  the pick-and-place problem behind the goal, or nullptr on a plain OMPL problem
+  /// @param inputs  start and goal states of the problem
+  Search(ompl::base::SpaceInformationPtr si, const B4PParameters& parameters,
+         const ompl::base::GoalSampleableRegion* goal, const PickPlaceRegion* region,
+         ompl::base::PlannerInputStates& inputs);
+
+  const ompl::base::SpaceInformationPtr& si() const { return si_; }
+  const B4PParameters& parameters() const { return parameters_; }
+  const PickPlaceRegion* region() const { return region_; }
+  const GraspAccess& grasps() const { return grasps_; }
+  Statistics& statistics() { return statistics_; }
+  Schedule& schedule() { return schedule_; }
+  ConnectionMemory& memory() { return memory_; }
+
+  /// The forests in which a tree of this grasp grows: one pair per grasp, or one for all grasps in paper mode.
+  ForestPair& forestsOf(GraspId grasp);
+
+  /// The single pair of paper mode.
+  ForestPair& commonForests() { return forestsOf(kNoGrasp); }
+
+  /// Plants a root; nullptr when the same root is there already, or a value is not finite.
+  Tree* plant(Side side, const ompl::base::State* root, GraspId grasp, PlacementId placement = kNoPlacement);
+
+  std::size_t rootCount(Side side) const { return roots_[index(side)]; }
+
+  /// Takes the next goal of a plain OMPL problem as a root. False when there is none now.
+  bool plantGoal();
+  /// True when a plain OMPL problem has no goal left to give and gave none.
+  bool outOfGoals();
+
+  /// Nearest node of a side over the forests of all grasps; nullptr while there is none.
+  const Node* nearestAnywhere(Side side, const ompl::base::State* state) const { return everywhere_[index(side)].nearest(state); }
+
+  /// True when the problem accepts a path between the roots of these nodes.
+  bool rootsMatch(const Junction& junction) const;
+
+  /// A finished path. The first one ends the search.
+  void publish(const ompl::geometric::PathGeometric& path);
+  std::optional<ompl::geometric::PathGeometric> takeSolution();
+  bool finished() const { return finished_.load(std::memory_order_acquire); }
+
+  /// A repair that all workers take part in from now on; those submitted earlier come first.
+  void submit(std::shared_ptr<PathRepair> repair);
+  /// The repair under way, if any.
+  std::shared_ptr<PathRepair> repair();
+  /// Removes a repair that has ended. True for the one caller that removed it.
+  bool retire(const std::shared_ptr<PathRepair>& repair);
+  std::size_t repairCount() const { return repairs_waiting_.load(std::memory_order_relaxed); }
+
+  void forEachNode(const std::function<void(const Node&)>& visit) const;
+
+ private:
+  const ompl::base::SpaceInformationPtr si_;
+  const B4PParameters parameters_;
+  const ompl::base::GoalSampleableRegion* const goal_;
+  const PickPlaceRegion* const region_;
+  const GraspAccess grasps_;
+  ompl::base::PlannerInputStates& inputs_;
+  Statistics statistics_;
+  Schedule schedule_;
+  ConnectionMemory memory_;
+  std::array<NodeIndex, 2> everywhere_;
+  std::array<std::atomic<std::size_t>, 2> roots_{};
+
+  mutable std::mutex forests_mutex_;
+  std::map<GraspId, std::unique_ptr<ForestPair>> forests_;
+
+  std::mutex inputs_mutex_;
+
+  std::mutex solution_mutex_;
+  std::optional<ompl::geometric::PathGeometric> solution_;
+  std::atomic<bool> finished_{false};
+
+  std::mutex repairs_mutex_;
+  std::deque<std::shared_ptr<PathRepair>> repairs_;
+  std::atomic<std::size_t> repairs_waiting_{0};
+};
+
+}  // namespace b4p

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/b4p/worker.h"
+
+#include <utility>
+
+#include "planners/b4p/default_worker.h"
+#include "planners/b4p/paper_worker.h"
+#include "planners/manipulation_state_space.h"
+
+namespace b4p {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+Worker::Worker(Search& search, std::uint64_t seed)
+    : search_(search),
+      motion_(search.si(), search.parameters().range),
+      region_(search.region() != nullptr ? search.region()->makeContext(seed) : nullptr),
+      root_(search.si()->allocState(), [si = search.si()](ob::State* state) { si->freeState(state); }) {}
+
+void Worker::step() {
+  if (search_.finished()) return;
+  countOne(search_.statistics().iterations);
+  if (const auto repair = search_.repair())
+    helpRepair(repair);
+  else
+    advance();
+}
+
+void Worker::helpRepair(const std::shared_ptr<PathRepair>& repair) {
+  const PathRepair::Status status = repair->step(motion_);
+  if (status == PathRepair::Status::kRunning || !search_.retire(repair)) return;
+  if (status == PathRepair::Status::kFailed) return salvage(*repair);
+  countOne(search_.statistics().repairs_succeeded);
+  search_.publish(repair->repaired());
+}
+
+GraspId Worker::drawPick() {
+  auto* state = root()->as<ManipulationStateSpace::StateType>();
+  if (!region().samplePick(state->q, state->grasp)) return kNoGrasp;
+  search_.plant(Side::kPick, state, state->grasp);
+  return state->grasp;
+}
+
+bool Worker::derivePlaceRoot(PlacementId placement, GraspId grasp) {
+  auto* state = root()->as<ManipulationStateSpace::StateType>();
+  state->grasp = grasp;
+  return region().placeRoot(placement, grasp, state->q);
+}
+
+void Worker::repair(const Junction& junction, const ob::State* place_root) {
+  og::PathGeometric path = pathThrough(junction, search_.si());
+  search_.si()->copyState(path.getStates().back(), place_root);
+  motion_.grasps().set(path.getStates().back(), junction.pick->tree->grasp);
+  const std::size_t junction_index = depth(junction.pick) - 1;
+  search_.submit(std::make_shared<PathRepair>(search_.si(), std::move(path), junction, junction_index,
+                                              search_.parameters().repair_iterations, motion_));
+}
+
+std::unique_ptr<Worker> makeWorker(Search& search, std::uint64_t seed) {
+  if (search.parameters().paper) return std::make_unique<PaperWorker>(search, seed);
+  return std::make_unique<DefaultWorker>(search, seed);
+}
+
+}  // namespace b4p
