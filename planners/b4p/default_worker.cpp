@@ -47,13 +47,22 @@ void DefaultWorker::seekPlaceRoot() {
 }
 
 void DefaultWorker::grow(ForestPair& forests) {
-  const Growth growth = growAndConnect(forests, next_side_, motion().sample(), motion());
+  // Each turn begins with the straight way to a root.
+  const bool first = left_ == search().parameters().slice;
+  const ob::State* target = first ? anyRoot(forests, opposite(next_side_)) : motion().sample();
+  const Growth growth = growAndConnect(forests, next_side_, target, motion());
   next_side_ = opposite(next_side_);
+  search().statistics().nodes += growth.nodes;
   if (growth.grown == nullptr) return;
   countOne(search().statistics().connections_tried);
   if (growth.junction && search().rootsMatch(*growth.junction))
     return search().publish(pathThrough(*growth.junction, search().si()));
   if (search().region() != nullptr) joinAcrossGrasps(growth.grown);
+}
+
+const ob::State* DefaultWorker::anyRoot(const ForestPair& forests, Side side) {
+  const auto trees = forests.trees(side);
+  return trees[motion().random().uniformInt(0, static_cast<int>(trees.size()) - 1)]->root->state;
 }
 
 void DefaultWorker::joinAcrossGrasps(const Node* grown) {
@@ -90,15 +99,18 @@ void DefaultWorker::salvage(const PathRepair& repair) {
 void DefaultWorker::transplant(Side side, const og::PathGeometric& path) {
   ForestPair& forests = search().forestsOf(motion().grasps().get(path.getState(0)));
   const Node* node = nullptr;
-  for (const ob::State* state : path.getStates()) {
+  for (std::size_t i = 0; i < path.getStateCount(); ++i) {
+    const ob::State* state = path.getState(i);
     const Node* nearest = forests.nearest(side, state);
     if (nearest == nullptr) return;
-    if (search().si()->equalStates(nearest->state, state))
+    if (search().si()->equalStates(nearest->state, state)) {
       node = nearest;
-    else if (node != nullptr)
+    } else if (node != nullptr) {
       node = forests.grow(node, state);
-    else
+      countOne(search().statistics().nodes);
+    } else {
       return;
+    }
   }
 }
 

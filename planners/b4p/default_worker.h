@@ -25,6 +25,7 @@ class DefaultWorker : public Worker {
   void drawRoots();
   void seekPlaceRoot();
   void grow(ForestPair& forests);
+  const ompl::base::State* anyRoot(const ForestPair& forests, Side side);
   void joinAcrossGrasps(const Node* grown);
   const Tree* placeTreeFor(PlacementId placement, GraspId grasp);
   void transplant(Side side, const ompl::geometric::PathGeometric& path);

@@ -18,7 +18,7 @@ struct Expansion {
 };
 
 Expansion expandFrom(ForestPair& forests, const Node* near, const ob::State* target, Motion& motion) {
-  const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp);
+  const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp, near->tree->side);
   if (reach == Motion::Reach::kTrapped) return {};
   return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached};
 }
@@ -34,10 +34,13 @@ Growth growAndConnect(ForestPair& forests, Side side, const ob::State* target, M
   Growth growth;
   growth.grown = expand(forests, side, target, motion);
   if (growth.grown == nullptr) return growth;
+  growth.nodes = 1;
   const Node* facing = forests.nearest(opposite(side), growth.grown->state);
   if (facing == nullptr) return growth;
   Expansion met = expandFrom(forests, facing, growth.grown->state, motion);
-  while (met.node != nullptr && !met.reached) {
+  while (met.node != nullptr) {
+    ++growth.nodes;
+    if (met.reached) break;
     const Node* from = met.node;
     met = expandFrom(forests, from, growth.grown->state, motion);
   }
@@ -61,6 +64,11 @@ og::PathGeometric pathThrough(const Junction& junction, const ob::SpaceInformati
     grasps.set(state, grasp);
     if (path.getStateCount() == 0 || !si->equalStates(path.getStates().back(), state)) path.append(state);
   }
+  // `state` is the place root: the path ends in it exactly, not in a state that merely counts as equal.
+  if (path.getStateCount() == 1)
+    path.append(state);
+  else
+    si->copyState(path.getStates().back(), state);
   si->freeState(state);
   return path;
 }

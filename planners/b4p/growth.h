@@ -24,14 +24,15 @@ const Node* expand(ForestPair& forests, Side side, const ompl::base::State* targ
 struct Growth {
   const Node* grown = nullptr;       ///< the node added on the side that grew, if any
   std::optional<Junction> junction;  ///< set when the two sides met
+  std::size_t nodes = 0;             ///< how many were added
 };
 
 /// One iteration of RRT-Connect on forests whose trees share a grasp: `side` grows toward `target`, the other
 /// side then grows toward the new node.
 Growth growAndConnect(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
 
-/// States from the pick root over the junction to the place root, all set to the grasp of the pick tree; a state that repeats is
-/// left out.
+/// States from the pick root over the junction to the place root, at least these two, all set to the grasp of the pick tree; a
+/// state that repeats is left out.
 ompl::geometric::PathGeometric pathThrough(const Junction& junction, const ompl::base::SpaceInformationPtr& si);
 
 /// Number of nodes from the node's root to the node.

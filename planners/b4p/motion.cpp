@@ -30,7 +30,7 @@ StateDistance GraspAccess::distance() const {
 }
 
 Motion::Motion(const ob::SpaceInformationPtr& si, double range)
-    : si_(si), grasps_(si), distance_(grasps_.distance()), range_(range), sampler_(si->allocStateSampler()) {
+    : si_(si), grasps_(si), distance_(grasps_.distance()), range_(range), symmetric_(si->getStateSpace()->hasSymmetricInterpolate()), sampler_(si->allocStateSampler()) {
   sample_ = si_->allocState();
   from_ = si_->allocState();
   to_ = si_->allocState();
@@ -53,7 +53,7 @@ const ob::State* Motion::sampleAround(const ob::State* a, const ob::State* b) {
   return sample_;
 }
 
-Motion::Reach Motion::extend(const ob::State* from, const ob::State* to, GraspId grasp) {
+Motion::Reach Motion::extend(const ob::State* from, const ob::State* to, GraspId grasp, Side side) {
   si_->copyState(from_, from);
   si_->copyState(to_, to);
   grasps_.set(from_, grasp);
@@ -65,12 +65,18 @@ Motion::Reach Motion::extend(const ob::State* from, const ob::State* to, GraspId
     si_->copyState(to_, end_);
     whole = false;
   }
+  const bool backwards = side == Side::kPlace && !symmetric_;
   std::pair<ob::State*, double> last_valid{end_, 0.0};
-  if (si_->checkMotion(from_, to_, last_valid)) {
+  const bool free = backwards ? si_->isValid(to_) && si_->checkMotion(to_, from_)
+                              : si_->checkMotion(from_, to_, last_valid);
+  if (free) {
     si_->copyState(end_, to_);
     return whole ? Reach::kReached : Reach::kAdvanced;
   }
-  return last_valid.second > 0.0 ? Reach::kAdvanced : Reach::kTrapped;
+  if (backwards || last_valid.second <= 0.0) return Reach::kTrapped;
+  // Validators that space their checks by an edge's length check other points of the shorter edge.
+  const bool still_free = grasps_.present() || si_->checkMotion(from_, end_);
+  return still_free ? Reach::kAdvanced : Reach::kTrapped;
 }
 
 bool Motion::isFree(const ob::State* a, const ob::State* b, GraspId grasp) {

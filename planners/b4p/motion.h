@@ -41,8 +41,10 @@ class Motion {
   /// A random state, half the time near the straight motion from a to b and otherwise anywhere.
   const ompl::base::State* sampleAround(const ompl::base::State* a, const ompl::base::State* b);
 
-  /// Goes from `from` toward `to` under `grasp` as far as the motion stays free, at most `range`. Where it ends is end().
-  Reach extend(const ompl::base::State* from, const ompl::base::State* to, GraspId grasp);
+  /// Goes from `from` toward `to` under `grasp` as far as the motion stays free, at most `range`. Where it ends is end(). On
+  /// the place side the motion is the one that leads back to `from`; where spaces tell the two directions apart, it is free as a whole
+  /// or not made.
+  Reach extend(const ompl::base::State* from, const ompl::base::State* to, GraspId grasp, Side side);
   const ompl::base::State* end() const { return end_; }
 
   /// True when the straight motion a -> b is free under `grasp`.
@@ -56,6 +58,7 @@ class Motion {
   GraspAccess grasps_;
   StateDistance distance_;
   double range_;
+  bool symmetric_;  ///< whether motions a -> b and b -> a are the same points
   ompl::base::StateSamplerPtr sampler_;
   ompl::RNG random_;
   ompl::base::State *sample_, *from_, *to_, *end_;

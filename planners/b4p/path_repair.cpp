@@ -11,10 +11,9 @@ namespace og = ompl::geometric;
 PathRepair::PathRepair(const ob::SpaceInformationPtr& si, og::PathGeometric path, const Junction& junction,
                        std::size_t first_unchecked, unsigned iterations, Motion& motion)
     : si_(si), path_(std::move(path)), junction_(junction), grasp_(junction.pick->tree->grasp), iterations_(iterations) {
-  const auto& states = path_.getStates();
   bool colliding = false;
-  for (std::size_t i = first_unchecked; i + 1 < states.size(); ++i) {
-    const bool free = motion.isFree(states[i], states[i + 1], grasp_);
+  for (std::size_t i = first_unchecked; i + 1 < path_.getStateCount(); ++i) {
+    const bool free = motion.isFree(path_.getState(i), path_.getState(i + 1), grasp_);
     if (!free && !colliding) runs_.push_back({i, i + 1});
     if (!free) runs_.back().end = i + 1;
     colliding = !free;

@@ -40,7 +40,8 @@ void Schedule::giveBack(const Turn& turn, bool fruitful) {
   std::lock_guard<std::mutex> lock(mutex_);
   Turn next = turn;
   if (turn.forests == nullptr) {
-    drawing_pause_ = fruitful ? 1 : 2 * drawing_pause_;
+    constexpr std::uint64_t kLongestPause = 64;
+    drawing_pause_ = fruitful ? 1 : std::min(kLongestPause, 2 * drawing_pause_);
     next.due = now_ + drawing_pause_;
   } else {
     next.age = turn.age == 0 ? 1 : 2 * turn.age;

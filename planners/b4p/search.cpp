@@ -12,13 +12,14 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 Search::Search(ob::SpaceInformationPtr si, const B4PParameters& parameters, const ob::GoalSampleableRegion* goal,
-               const PickPlaceRegion* region, ob::PlannerInputStates& inputs)
+               const PickPlaceRegion* region, ob::PlannerInputStates& inputs, Statistics& statistics)
     : si_(std::move(si)),
       parameters_(parameters),
       goal_(goal),
       region_(region),
       grasps_(si_),
       inputs_(inputs),
+      statistics_(statistics),
       everywhere_{NodeIndex(grasps_.distance()), NodeIndex(grasps_.distance())} {}
 
 ForestPair& Search::forestsOf(GraspId grasp) {
@@ -58,11 +59,6 @@ bool Search::plantGoal() {
   std::lock_guard<std::mutex> lock(inputs_mutex_);
   const ob::State* goal = inputs_.nextGoal();
   return goal != nullptr && plant(Side::kPlace, goal, grasps_.get(goal)) != nullptr;
-}
-
-bool Search::outOfGoals() {
-  std::lock_guard<std::mutex> lock(inputs_mutex_);
-  return rootCount(Side::kPlace) == 0 && !inputs_.haveMoreGoalStates() && !goal_->couldSample();
 }
 
 bool Search::rootsMatch(const Junction& junction) const {

@@ -27,10 +27,11 @@ class Search {
  public:
   /// @param goal    where the query ends; not null
   /// @param region  the pick-and-place problem behind the goal, or nullptr on a plain OMPL problem
-  /// @param inputs  start and goal states of the problem
+  /// @param inputs      start and goal states of the problem
+  /// @param statistics  counts what is done
   Search(ompl::base::SpaceInformationPtr si, const B4PParameters& parameters,
          const ompl::base::GoalSampleableRegion* goal, const PickPlaceRegion* region,
-         ompl::base::PlannerInputStates& inputs);
+         ompl::base::PlannerInputStates& inputs, Statistics& statistics);
 
   const ompl::base::SpaceInformationPtr& si() const { return si_; }
   const B4PParameters& parameters() const { return parameters_; }
@@ -53,8 +54,6 @@ class Search {
 
   /// Takes the next goal of a plain OMPL problem as a root. False when there is none now.
   bool plantGoal();
-  /// True when a plain OMPL problem has no goal left to give and gave none.
-  bool outOfGoals();
 
   /// Nearest node of a side over the forests of all grasps; nullptr while there is none.
   const Node* nearestAnywhere(Side side, const ompl::base::State* state) const { return everywhere_[index(side)].nearest(state); }
@@ -84,7 +83,7 @@ class Search {
   const PickPlaceRegion* const region_;
   const GraspAccess grasps_;
   ompl::base::PlannerInputStates& inputs_;
-  Statistics statistics_;
+  Statistics& statistics_;
   Schedule schedule_;
   ConnectionMemory memory_;
   std::array<NodeIndex, 2> everywhere_;

@@ -1,0 +1,15 @@
+# b4p_test(NAME SOURCES file... [LIBRARIES target...]): GoogleTest executable test_NAME, run by ctest as NAME.
+include_guard(GLOBAL)
+find_package(GTest REQUIRED)
+
+function(b4p_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
+    message(FATAL_ERROR "b4p_test(${name}): expected SOURCES file... [LIBRARIES target...], got ${ARGN}")
+  endif()
+  add_executable(test_${name} ${arg_SOURCES})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main GTest::gmock)
+  b4p_warnings(test_${name})
+  add_test(NAME ${name} COMMAND test_${name})
+endfunction()

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/b4p/b4p_planner.h"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/Exception.h>
+
+#include "planners/b4p/crew.h"
+#include "planners/place_goal.h"
+
+namespace b4p {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+B4P::B4P(const ob::SpaceInformationPtr& si) : ob::Planner(si, "B4P") {
+  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+  specs_.multithreaded = true;
+  specs_.approximateSolutions = false;
+  specs_.optimizingPaths = false;
+  specs_.directed = true;
+
+  declare("threads", &B4PParameters::threads, "1:1:64");
+  declare("paper", &B4PParameters::paper, "0,1");
+  declare("pick_roots", &B4PParameters::pick_roots, "1:1:1024");
+  declare("place_roots", &B4PParameters::place_roots, "1:1:1024");
+  declare("range", &B4PParameters::range, "0.:0.01:10000.");
+  declare("slice", &B4PParameters::slice, "1:1:100000");
+  declare("root_attempts", &B4PParameters::root_attempts, "1:1:10000");
+  declare("repair_iterations", &B4PParameters::repair_iterations, "1:1:100000");
+
+  declareProgress("iterations INTEGER", statistics_.iterations);
+  declareProgress("tree nodes INTEGER", statistics_.nodes);
+  declareProgress("connections tried INTEGER", statistics_.connections_tried);
+  declareProgress("repairs tried INTEGER", statistics_.repairs_tried);
+  declareProgress("repairs succeeded INTEGER", statistics_.repairs_succeeded);
+}
+
+B4P::~B4P() = default;
+
+template <class Value>
+void B4P::declare(const std::string& name, Value B4PParameters::*field, const std::string& range) {
+  const auto set = [this, field](Value value) {
+    B4PParameters changed = parameters_;
+    changed.*field = value;
+    setParameters(changed);
+  };
+  params_.declareParam<Value>(name, set, [this, field] { return parameters_.*field; });
+  params_[name].setRangeSuggestion(range);
+}
+
+void B4P::declareProgress(const std::string& name, const std::atomic<std::uint64_t>& count) {
+  addPlannerProgressProperty(name, [&count] { return std::to_string(count.load(std::memory_order_relaxed)); });
+}
+
+void B4P::setParameters(const B4PParameters& parameters) {
+  const std::string problem = parameters.problem();
+  if (!problem.empty()) throw ompl::Exception(getName(), problem);
+  parameters_ = parameters;
+}
+
+void B4P::clear() {
+  Planner::clear();
+  workers_.clear();
+  search_.reset();
+  problem_.reset();
+  goal_.reset();
+  statistics_.reset();
+}
+
+ob::PlannerStatus B4P::solve(const ob::PlannerTerminationCondition& ptc) {
+  checkValidity();
+  try {
+    return search(ptc);
+  } catch (const std::exception& e) {
+    OMPL_ERROR("%s: stopped by an exception: %s", getName().c_str(), e.what());
+  } catch (...) {
+    OMPL_ERROR("%s: stopped by an exception", getName().c_str());
+  }
+  return ob::PlannerStatus::CRASH;
+}
+
+ob::PlannerStatus B4P::search(const ob::PlannerTerminationCondition& ptc) {
+  auto* goal = dynamic_cast<ob::GoalSampleableRegion*>(pdef_->getGoal().get());
+  if (goal == nullptr) {
+    OMPL_ERROR("%s: the goal has to be a GoalSampleableRegion", getName().c_str());
+    return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+  }
+  prepareSearch(goal);
+  while (const ob::State* start = pis_.nextStart()) search_->plant(Side::kPick, start, search_->grasps().get(start));
+  if (search_->region() == nullptr) {
+    if (search_->rootCount(Side::kPick) == 0) {
+      OMPL_ERROR("%s: there is no valid start state", getName().c_str());
+      return ob::PlannerStatus::INVALID_START;
+    }
+    if (!plantFirstGoal(ptc)) {
+      if (goal->couldSample() && ptc) return ob::PlannerStatus::TIMEOUT;
+      OMPL_ERROR("%s: there is no valid goal state", getName().c_str());
+      return ob::PlannerStatus::INVALID_GOAL;
+    }
+  }
+  work(ptc);
+  const auto solution = search_->takeSolution();
+  if (!solution) return ob::PlannerStatus::TIMEOUT;
+  addSolution(*solution);
+  return ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+void B4P::prepareSearch(ob::GoalSampleableRegion* goal) {
+  if (!search_ || problem_ != pdef_ || goal_ != pdef_->getGoal()) {
+    workers_.clear();
+    statistics_.reset();
+    problem_ = pdef_;
+    goal_ = pdef_->getGoal();
+    const auto* place_goal = dynamic_cast<const PlaceGoal*>(goal);
+    search_ = std::make_unique<Search>(si_, parameters_, goal, place_goal != nullptr ? &place_goal->region() : nullptr,
+                                       pis_, statistics_);
+  }
+  // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads start.
+  while (workers_.size() < parameters_.threads)
+    workers_.push_back(makeWorker(*search_, ompl::RNG().getLocalSeed()));
+}
+
+bool B4P::plantFirstGoal(const ob::PlannerTerminationCondition& ptc) {
+  while (search_->rootCount(Side::kPlace) == 0) {
+    const ob::State* goal = pis_.nextGoal(ptc);
+    if (goal == nullptr) return false;
+    search_->plant(Side::kPlace, goal, search_->grasps().get(goal));
+  }
+  return true;
+}
+
+void B4P::work(const ob::PlannerTerminationCondition& ptc) {
+  runCrew(parameters_.threads, [&](std::size_t number, const std::atomic<bool>& stop) {
+    while (!stop && !search_->finished() && !ptc) workers_[number]->step();
+  });
+}
+
+void B4P::addSolution(const og::PathGeometric& path) {
+  const auto solution_path = std::make_shared<og::PathGeometric>(path);
+  ob::PlannerSolution solution(solution_path);
+  solution.setPlannerName(getName());
+  if (const auto& objective = pdef_->getOptimizationObjective()) {
+    const ob::Cost cost = solution_path->cost(objective);
+    solution.setOptimized(objective, cost, objective->isSatisfied(cost));
+  }
+  pdef_->addSolutionPath(solution);
+}
+
+void B4P::getPlannerData(ob::PlannerData& data) const {
+  Planner::getPlannerData(data);
+  if (!search_) return;
+  constexpr int kPickTag = 1, kPlaceTag = 2;
+  search_->forEachNode([&data](const Node& node) {
+    const bool pick = node.tree->side == Side::kPick;
+    const ob::PlannerDataVertex vertex(node.state, pick ? kPickTag : kPlaceTag);
+    if (node.parent == nullptr) {
+      pick ? data.addStartVertex(vertex) : data.addGoalVertex(vertex);
+    } else {
+      const ob::PlannerDataVertex parent(node.parent->state, pick ? kPickTag : kPlaceTag);
+      pick ? data.addEdge(parent, vertex) : data.addEdge(vertex, parent);
+    }
+  });
+}
+
+}  // namespace b4p

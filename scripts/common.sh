@@ -1,0 +1,41 @@
+# Shared by the scripts in this folder; sourced by bash.
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+python="$root/.venv/bin/python"
+
+heading() {
+  printf '\n== %s (%s)\n' "$*" "$(date +%H:%M:%S)"
+}
+
+fail() {
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# The comment at the top of a script is its help.
+print_help() {
+  sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$1"
+}
+
+# Parallel compilations: one per core, as far as memory carries them.
+build_jobs() {
+  local kib_per_job=1572864 available jobs cores # 1.5 GiB
+  available=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
+  cores=$(nproc)
+  jobs=$((available / kib_per_job))
+  ((jobs <= cores)) || jobs=$cores
+  ((jobs >= 1)) || jobs=1
+  echo "$jobs"
+}
+
+build_release() {
+  local launcher=()
+  if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  cd "$root"
+  heading "Configuring (preset release)"
+  cmake --preset release "${launcher[@]}"
+  heading "Building with $(build_jobs) jobs"
+  cmake --build --preset release --parallel "$(build_jobs)"
+}
