@@ -9,6 +9,7 @@ find_package(orocos_kdl REQUIRED)
 find_package(urdfdom REQUIRED)
 find_package(assimp REQUIRED)
 find_package(Qhull REQUIRED)
+find_package(tinyxml2 REQUIRED)
 find_package(Threads REQUIRED)
 
 # OMPL has a target of its own only from 1.7 on.

@@ -15,23 +15,24 @@ namespace b4p {
 /// Outcome of re-checking a path by code that shares nothing with the checker that planned it.
 struct Verification {
   bool passed = false;
-  std::string failure;            ///< first thing found wrong, one line; empty when passed
-  double step_m = 0.0;            ///< largest swept motion between two checked configurations (m)
-  long configurations = 0;        ///< how many were checked
-  double clearance_m = 0.0;       ///< smallest distance seen between things that may not touch (m)
+  std::string failure;  ///< first thing found wrong, one line; empty when passed
+  double step_m = 0.0;  ///< largest swept motion between two samples of an edge (m)
+  long configurations =
+      0;  ///< samples covered: each pair measured there or known to be apart from an earlier one
+  double clearance_m = 0.0;  ///< smallest distance at any sample between things that may not touch (m)
 };
 
 /// A planned motion as it is written to a file (JSON).
 struct PlanResult {
-  std::string scene;       ///< name or path, as loadScene() takes it
+  std::string scene;  ///< name or path, as loadScene() takes it
   std::string planner;
   std::map<std::string, std::string> parameters;
   std::uint64_t seed = 0;
   unsigned threads = 1;
   double time_limit_s = 0.0;
   double planning_time_s = 0.0;
-  std::string status;      ///< OMPL's name of the planner status
-  bool solved = false;     ///< an exact path was found
+  std::string status;   ///< OMPL's name of the planner status
+  bool solved = false;  ///< an exact path was found
   int grasp_id = -1;
   Grasp grasp;
   Eigen::Isometry3d X_WO_pick = Eigen::Isometry3d::Identity();
@@ -41,11 +42,20 @@ struct PlanResult {
   Verification verification;
 };
 
-/// Writes atomically (a temporary file, then a rename). @throws InputError if the place cannot be written.
+/// Writes UTF-8 JSON atomically: a temporary file beside `file`, then a rename. Poses are written as position
+/// and rotation matrix, and every number with the digits that read back to the same bits.
+/// @throws InputError if the place cannot be written; std::invalid_argument if a number is not finite, since
+///   readResult() would refuse the file.
 void writeResult(const std::string& file, const PlanResult& result);
 
-/// @throws InputError naming file and element: unreadable, cut off, wrong schema version, missing key, wrong
-///   type, non-finite value, rows of different length.
+/// @throws InputError naming file and element: unreadable, cut off or malformed, wrong schema version,
+/// missing
+///   or unknown or repeated key, wrong type, non-finite or out-of-range number, rows that differ in length
+///   from the joint names.
 PlanResult readResult(const std::string& file);
+
+/// Makes sure that files can be written in a folder, creating it where it is missing.
+/// @throws InputError naming the folder when they cannot.
+void requireWritableDirectory(const std::string& directory);
 
 }  // namespace b4p

@@ -15,8 +15,8 @@ class InputError : public std::runtime_error {
   /// @param element  the key, link, joint or row at fault; may be empty
   /// @param problem  what is wrong, with the value found
   InputError(const std::string& file, const std::string& element, const std::string& problem)
-      : std::runtime_error(element.empty() ? file + ": " + problem
-                                           : file + ": " + element + ": " + problem) {}
+      : std::runtime_error(element.empty() ? file + ": " + problem : file + ": " + element + ": " + problem) {
+  }
 };
 
 }  // namespace b4p

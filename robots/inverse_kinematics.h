@@ -20,7 +20,8 @@ struct IkTolerance {
 /// Inverse kinematics of the TCP. One object per thread.
 ///
 /// Whatever the solver behind it, an answer given here lies inside the joint limits (revolute joints are
-/// wrapped by 2 pi into them where that helps) and its forward kinematics meet the tolerance: both are checked in this class.
+/// wrapped by 2 pi into them where that helps) and its forward kinematics meet the tolerance: both are
+/// checked in this class.
 class InverseKinematics {
  public:
   InverseKinematics(std::shared_ptr<const Manipulator> robot, IkTolerance tolerance);

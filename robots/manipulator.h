@@ -13,8 +13,8 @@ namespace b4p {
 
 /// What a URDF does not say about using a robot to carry things.
 struct ManipulatorDescription {
-  std::vector<std::string> joints;         ///< planned joints, in the order of q
-  std::string tcp_link;                    ///< frame T: origin between the fingers, z = approach, y = closing axis
+  std::vector<std::string> joints;  ///< planned joints, in the order of q
+  std::string tcp_link;             ///< frame T: origin between the fingers, z = approach, y = closing axis
   std::vector<std::string> finger_joints;  ///< each set to half the gripper's opening; may be empty
   std::vector<std::string> finger_links;   ///< links that may touch the held object; may be empty
   double max_opening_m = 0.0;              ///< largest distance between the finger pads
@@ -23,7 +23,8 @@ struct ManipulatorDescription {
 };
 
 /// A robot made ready for planning: names resolved, base placed in the world. Immutable, shared
-/// by all threads. Joints that are neither planned nor fingers stay at the value in their limits nearest to zero.
+/// by all threads. Joints that are neither planned nor fingers stay at the value in their limits nearest to
+/// zero.
 class Manipulator {
  public:
   /// @param X_WB    pose of the root link in the world

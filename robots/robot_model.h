@@ -25,6 +25,7 @@ struct Joint {
   double max_velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s; > 0
   int parent_link = -1;
   int child_link = -1;
+  std::string mimicked_joint;  ///< joint whose value this one repeats (multiplier 1, offset 0); mostly empty
 };
 
 struct Link {
@@ -53,9 +54,9 @@ struct RobotModel {
 /// ROS_PACKAGE_PATH. A cylinder with two equal spheres at its ends becomes one capsule.
 ///
 /// @throws InputError naming file, link or joint and value: unreadable or malformed XML, leftover xacro, a
-///   link that is its own ancestor, several roots, limits missing, reversed or non-finite, a zero or non-finite
-///   axis, non-finite origins, sizes that are not positive, an unknown shape, a missing or empty mesh,
-///   fewer shapes loaded than declared, joint types other than fixed, revolute, continuous, prismatic.
+///   link that is its own ancestor, several roots, limits missing, reversed or non-finite, a zero or
+///   non-finite axis, non-finite origins, sizes that are not positive, an unknown shape, a missing or empty
+///   mesh, fewer shapes loaded than declared, joint types other than fixed, revolute, continuous, prismatic.
 ///   Non-unit axes are normalised.
 RobotModel loadUrdf(const std::string& file);
 

@@ -27,7 +27,8 @@ struct Capsule {
   double radius;  ///< > 0
   double length;  ///< >= 0, between the centres of the two end spheres
 };
-/// Vertices of a convex polyhedron with outward, counter-clockwise triangles; the origin of S may lie anywhere.
+/// Vertices of a convex polyhedron with outward, counter-clockwise triangles; the origin of S may lie
+/// anywhere.
 struct ConvexMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> triangles;

@@ -1,6 +1,8 @@
-# Shared by the scripts in this folder; sourced by bash.
+# shellcheck shell=bash
+# Shared by the scripts in this folder, which source it.
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+# shellcheck disable=SC2034
 python="$root/.venv/bin/python"
 
 heading() {
@@ -33,7 +35,7 @@ build_release() {
   if command -v ccache >/dev/null; then
     launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
-  cd "$root"
+  cd "$root" || return
   heading "Configuring (preset release)"
   cmake --preset release "${launcher[@]}"
   heading "Building with $(build_jobs) jobs"

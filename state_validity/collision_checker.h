@@ -24,13 +24,13 @@ struct CollisionProblem {
   /// Largest distance any point of robot or held object travels between two checks of an edge (m). > 0.
   double edge_step_m = 0.01;
   /// Robot and held object are grown by this much in all directions (m). With edge_step_m / 2, the
-  /// default (any negative value), an edge found free is free everywhere, between the checks as well: no point is farther than half a
-  /// step from one that was checked. 0 checks the bare shapes.
+  /// default (any negative value), an edge found free is free everywhere, between the checks as well: no
+  /// point is farther than half a step from one that was checked. 0 checks the bare shapes.
   double padding_m = -1.0;
 };
 
-/// What one thread uses to ask about validity; not to be shared. The robot is checked against the obstacles and
-/// itself, the held object against the obstacles and the robot's links, fingers excepted.
+/// What one thread uses to ask about validity; not to be shared. The robot is checked against the obstacles
+/// and itself, the held object against the obstacles and the robot's links, fingers excepted.
 ///
 /// q arrays hold dof() values. `held` is the grasp with which the object is carried; nullptr: nothing is
 /// carried, fingers fully open. All functions throw std::invalid_argument on non-finite q or grasp.
@@ -44,9 +44,9 @@ class CollisionContext {
   /// True when every checked configuration of the straight edge q1 -> q2 is free, **q1 and q2 included**.
   virtual bool isEdgeFree(const double* q1, const double* q2, const Grasp* held) = 0;
 
-  /// Largest fraction t such that q1 + s (q2 - q1) was found free at every check with s <= t, q1 included; 1 when
-  /// the whole edge is free, a negative value when q1 is not free. isEdgeFree(q1, q2) is freeFraction(q1, q2) == 1, and the
-  /// edge from q1 to the configuration at t is free by isEdgeFree again.
+  /// Largest fraction t such that q1 + s (q2 - q1) was found free at every check with s <= t, q1 included; 1
+  /// when the whole edge is free, a negative value when q1 is not free. isEdgeFree(q1, q2) is
+  /// freeFraction(q1, q2) == 1, and the edge from q1 to the configuration at t is free by isEdgeFree again.
   virtual double freeFraction(const double* q1, const double* q2, const Grasp* held) = 0;
 
   /// Names of the first colliding pair at q ("panda_hand, shelf_top"), or "" when free. Slow; for messages.

@@ -26,7 +26,8 @@ Eigen::Matrix3d toolAxes(const Eigen::Vector3d& approach, const Eigen::Vector3d&
 
 }  // namespace
 
-PolygonEdgeGraspSampler::PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m, double clearance_m) {
+PolygonEdgeGraspSampler::PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m,
+                                                 double clearance_m) {
   for (std::size_t i = 0; i < polygon_m.size(); ++i) {
     const Eigen::Vector2d& a = polygon_m[i];
     const Eigen::Vector2d& b = polygon_m[(i + 1) % polygon_m.size()];

@@ -22,8 +22,8 @@ class GraspSampler {
   virtual Grasp sample(std::mt19937_64& random) const = 0;
 };
 
-/// Grasp i presses the gripper's front against the middle of edge i (corner i to corner i + 1) of a polygon in
-/// the x-y plane of O, along the inward normal; the TCP stays `clearance_m` outside.
+/// Grasp i presses the gripper's front against the middle of edge i (corner i to corner i + 1) of a polygon
+/// in the x-y plane of O, along the inward normal; the TCP stays `clearance_m` outside.
 class PolygonEdgeGraspSampler : public GraspSampler {
  public:
   PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m, double clearance_m);
@@ -34,10 +34,11 @@ class PolygonEdgeGraspSampler : public GraspSampler {
   std::vector<Grasp> grasps_;
 };
 
-/// Parallel gripper on a box centred in O. The pads close on two opposite faces that fit between them. The approach is
-/// perpendicular to the closing axis: half of the draws straight through one of the four other faces, half at an
-/// angle about the closing axis that is uniform over the full turn. The TCP is uniform over the part of the box's middle
-/// plane that lies at most `finger_depth_m` past the box's foremost point, so the palm stays outside.
+/// Parallel gripper on a box centred in O. The pads close on two opposite faces that fit between them. The
+/// approach is perpendicular to the closing axis: half of the draws straight through one of the four other
+/// faces, half at an angle about the closing axis that is uniform over the full turn. The TCP is uniform over
+/// the part of the box's middle plane that lies at most `finger_depth_m` past the box's foremost point, so
+/// the palm stays outside.
 class BoxGraspSampler : public GraspSampler {
  public:
   /// @throws std::invalid_argument when no pair of faces fits `max_opening_m`, or a size is not positive.

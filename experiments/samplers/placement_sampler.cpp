@@ -7,8 +7,8 @@
 namespace b4p {
 
 PlacementSampler::PlacementSampler(const PlacementSource& source, const Eigen::Isometry3d& X_WO_start,
-                                   double margin_m)
-    : source_(source), R_WO_(X_WO_start.linear()) {
+                                   double margin_m, double upright_tolerance_rad)
+    : source_(source), upright_tolerance_rad_(upright_tolerance_rad), R_WO_(X_WO_start.linear()) {
   for (int i = 0; i < 3; ++i) {
     const double margin = std::min(margin_m, (source.max_m[i] - source.min_m[i]) / 2.0);
     low_[i] = source.min_m[i] + margin;
@@ -36,7 +36,7 @@ double PlacementSampler::distance(const Eigen::Isometry3d& X_WO) const {
   const double outside = (p - p.cwiseMax(source_.min_m).cwiseMin(source_.max_m)).norm();
   if (!source_.upright) return outside;
   const Eigen::Vector3d z = X_WO.linear().col(2);
-  return outside + std::atan2(std::hypot(z.x(), z.y()), z.z());
+  return outside + std::max(0.0, std::atan2(std::hypot(z.x(), z.y()), z.z()) - upright_tolerance_rad_);
 }
 
 }  // namespace b4p

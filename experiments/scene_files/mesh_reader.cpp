@@ -34,8 +34,8 @@ std::shared_ptr<const ConvexMesh> readConvexMesh(const std::string& file, const 
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) throw MeshError("no such mesh file");
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                                                     aiProcess_PreTransformVertices);
+  const aiScene* scene = importer.ReadFile(
+      file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices);
   if (scene == nullptr || scene->mNumMeshes == 0) throw MeshError("holds no mesh that can be read");
   if (scene->mNumMeshes > 1 && !take_hull) throw MeshError("holds several meshes; set convex_hull: true");
   std::vector<Eigen::Vector3d> points;

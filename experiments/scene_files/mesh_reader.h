@@ -15,8 +15,8 @@ class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a mesh (STL, OBJ, ...; vertices in metres once scaled). With `take_hull` its convex hull stands for it;
-/// without, the mesh has to be convex.
+/// Reads a mesh (STL, OBJ, ...; vertices in metres once scaled). With `take_hull` its convex hull stands for
+/// it; without, the mesh has to be convex.
 /// @throws MeshError
 std::shared_ptr<const ConvexMesh> readConvexMesh(const std::string& file, const Eigen::Vector3d& scale,
                                                  bool take_hull);

@@ -42,7 +42,8 @@ RobotFile loadRobotFile(const std::string& name_or_path) {
   description.finger_joints = readNames(gripper["finger_joints"]);
   description.finger_links = readNames(gripper["finger_links"]);
   description.max_opening_m = gripper["max_opening_m"].number(0.0);
-  if (const auto pairs = document.find("skip_self_collision")) description.skip_self_collision = readPairs(*pairs);
+  if (const auto pairs = document.find("skip_self_collision"))
+    description.skip_self_collision = readPairs(*pairs);
   return robot;
 }
 

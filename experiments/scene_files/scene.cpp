@@ -122,8 +122,8 @@ Scene loadScene(const std::string& name_or_path) {
   const std::string file = shippedFile(kSceneFolder, "scene", name_or_path);
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSceneSchema);
-  document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m", "budget_s",
-                      "obstacles", "object", "grasps", "placement", "numbers"});
+  document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m",
+                      "budget_s", "obstacles", "object", "grasps", "placement", "numbers"});
   Scene scene;
   scene.file = file;
   scene.name = document["name"].word();

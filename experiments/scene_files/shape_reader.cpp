@@ -20,10 +20,9 @@ bool segmentsMeet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eige
                   const Eigen::Vector2d& d) {
   const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
-  const bool boxes_meet = std::min(a.x(), b.x()) <= std::max(c.x(), d.x()) &&
-                          std::min(c.x(), d.x()) <= std::max(a.x(), b.x()) &&
-                          std::min(a.y(), b.y()) <= std::max(c.y(), d.y()) &&
-                          std::min(c.y(), d.y()) <= std::max(a.y(), b.y());
+  const bool boxes_meet =
+      std::min(a.x(), b.x()) <= std::max(c.x(), d.x()) && std::min(c.x(), d.x()) <= std::max(a.x(), b.x()) &&
+      std::min(a.y(), b.y()) <= std::max(c.y(), d.y()) && std::min(c.y(), d.y()) <= std::max(a.y(), b.y());
   return boxes_meet && c_side * d_side <= 0.0 && a_side * b_side <= 0.0;
 }
 
@@ -40,7 +39,8 @@ bool isSimple(const std::vector<Eigen::Vector2d>& polygon) {
 bool isConvex(const std::vector<Eigen::Vector2d>& polygon) {
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i)
-    if (cross(polygon[(i + 1) % n] - polygon[i], polygon[(i + 2) % n] - polygon[(i + 1) % n]) < 0.0) return false;
+    if (cross(polygon[(i + 1) % n] - polygon[i], polygon[(i + 2) % n] - polygon[(i + 1) % n]) < 0.0)
+      return false;
   return true;
 }
 
@@ -87,7 +87,8 @@ Shape readMesh(const YamlValue& value) {
   const YamlValue file = value["file"];
   try {
     return readConvexMesh(relativeTo(value.file(), file.text()),
-                          scale ? scale->positiveVector3() : Eigen::Vector3d::Ones(), hull && hull->boolean());
+                          scale ? scale->positiveVector3() : Eigen::Vector3d::Ones(),
+                          hull && hull->boolean());
   } catch (const MeshError& e) {
     file.failWithValue(e.what());
   }

@@ -13,7 +13,8 @@
 namespace b4p {
 
 /// Reads one shape with its pose. `mapping` may also have the keys in `more_keys`.
-/// @throws InputError unless there is exactly one of box, sphere, cylinder, capsule, mesh, prism, with good sizes.
+/// @throws InputError unless there is exactly one of box, sphere, cylinder, capsule, mesh, prism, with good
+/// sizes.
 PlacedShape readPlacedShape(const YamlValue& mapping, std::initializer_list<const char*> more_keys);
 
 /// A simple polygon, counter-clockwise, with at least three corners (m).

@@ -126,7 +126,8 @@ std::string YamlValue::text() const {
 
 std::string YamlValue::word() const {
   const std::string value = text();
-  const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  const bool plain =
+      std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!plain || !std::isalpha(static_cast<unsigned char>(value.front())))
     failWithValue("is not a word of letters, digits and underscores");
   return value;
@@ -208,7 +209,8 @@ Eigen::Isometry3d poseFrom(const YamlValue& mapping) {
   if (quaternion) {
     const auto wxyz = quaternion->numbers(4);
     const Eigen::Quaterniond rotation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-    if (std::abs(rotation.norm() - 1.0) > kUnitNormTolerance) quaternion->failWithValue("is not of unit length");
+    if (std::abs(rotation.norm() - 1.0) > kUnitNormTolerance)
+      quaternion->failWithValue("is not of unit length");
     X.linear() = rotation.normalized().toRotationMatrix();
   }
   return X;

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <yaml-cpp/yaml.h>
+#include <Eigen/Geometry>
 
 namespace b4p {
 
@@ -26,7 +26,7 @@ class YamlValue {
   YamlValue operator[](const std::string& key) const;  ///< a key that has to be there
   std::optional<YamlValue> find(const std::string& key) const;
 
-  std::vector<YamlValue> items() const;                        ///< of a sequence
+  std::vector<YamlValue> items() const;                            ///< of a sequence
   std::vector<std::pair<std::string, YamlValue>> entries() const;  ///< of a mapping, in the file's order
 
   std::string text() const;  ///< a scalar that is not empty
@@ -59,7 +59,8 @@ class YamlValue {
   YAML::Node node_;
 };
 
-/// Pose from `position_m` and either `rpy_rad` (roll, pitch, yaw about fixed axes) or `quaternion_wxyz`, each optional.
+/// Pose from `position_m` and either `rpy_rad` (roll, pitch, yaw about fixed axes) or `quaternion_wxyz`, each
+/// optional.
 Eigen::Isometry3d poseFrom(const YamlValue& mapping);
 
 }  // namespace b4p

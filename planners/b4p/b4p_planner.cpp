@@ -72,6 +72,12 @@ void B4P::clear() {
   statistics_.reset();
 }
 
+void B4P::checkValidity() {
+  const bool draws_its_starts = pdef_ && dynamic_cast<const PlaceGoal*>(pdef_->getGoal().get()) != nullptr;
+  if (!draws_its_starts) return Planner::checkValidity();
+  if (!isSetup()) setup();
+}
+
 ob::PlannerStatus B4P::solve(const ob::PlannerTerminationCondition& ptc) {
   checkValidity();
   try {
@@ -97,8 +103,8 @@ ob::PlannerStatus B4P::search(const ob::PlannerTerminationCondition& ptc) {
       OMPL_ERROR("%s: there is no valid start state", getName().c_str());
       return ob::PlannerStatus::INVALID_START;
     }
-    if (!plantFirstGoal(ptc)) {
-      if (goal->couldSample() && ptc) return ob::PlannerStatus::TIMEOUT;
+    if (!plantFirstGoal(*goal, ptc)) {
+      if (ptc && mayGiveMore(*goal)) return ob::PlannerStatus::TIMEOUT;
       OMPL_ERROR("%s: there is no valid goal state", getName().c_str());
       return ob::PlannerStatus::INVALID_GOAL;
     }
@@ -125,13 +131,19 @@ void B4P::prepareSearch(ob::GoalSampleableRegion* goal) {
     workers_.push_back(makeWorker(*search_, ompl::RNG().getLocalSeed()));
 }
 
-bool B4P::plantFirstGoal(const ob::PlannerTerminationCondition& ptc) {
-  while (search_->rootCount(Side::kPlace) == 0) {
-    const ob::State* goal = pis_.nextGoal(ptc);
-    if (goal == nullptr) return false;
-    search_->plant(Side::kPlace, goal, search_->grasps().get(goal));
+// Listed goals that have all been taken do not become more; sampled ones may, as long as the goal could sample.
+bool B4P::mayGiveMore(const ob::GoalSampleableRegion& goal) const {
+  const bool listed = goal.hasType(ob::GOAL_STATE) || (goal.hasType(ob::GOAL_STATES) && !goal.hasType(ob::GOAL_LAZY_SAMPLES));
+  return pis_.haveMoreGoalStates() || (!listed && goal.couldSample());
+}
+
+bool B4P::plantFirstGoal(const ob::GoalSampleableRegion& goal, const ob::PlannerTerminationCondition& ptc) {
+  while (search_->rootCount(Side::kPlace) == 0 && !ptc && mayGiveMore(goal)) {
+    // Without a condition of its own, nextGoal() gives up instead of waiting for goals that never come.
+    const ob::State* state = pis_.haveMoreGoalStates() ? pis_.nextGoal() : pis_.nextGoal(ptc);
+    if (state != nullptr) search_->plant(Side::kPlace, state, search_->grasps().get(state));
   }
-  return true;
+  return search_->rootCount(Side::kPlace) > 0;
 }
 
 void B4P::work(const ob::PlannerTerminationCondition& ptc) {

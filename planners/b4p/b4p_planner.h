@@ -34,6 +34,9 @@ class B4P : public ompl::base::Planner {
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
   void clear() override;
 
+  /// @throws ompl::Exception when there is no problem definition, no goal, or, but for a PlaceGoal, no start state
+  void checkValidity() override;
+
   /// Vertices are tagged 1 (pick side) or 2 (place side); edges point from pick to place.
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
@@ -49,7 +52,8 @@ class B4P : public ompl::base::Planner {
 
   ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition& ptc);
   void prepareSearch(ompl::base::GoalSampleableRegion* goal);
-  bool plantFirstGoal(const ompl::base::PlannerTerminationCondition& ptc);
+  bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
+  bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal, const ompl::base::PlannerTerminationCondition& ptc);
   void work(const ompl::base::PlannerTerminationCondition& ptc);
   void addSolution(const ompl::geometric::PathGeometric& path);
 

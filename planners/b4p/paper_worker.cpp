@@ -17,11 +17,14 @@ void PaperWorker::advance() {
 bool PaperWorker::spawnForest() {
   const B4PParameters& parameters = search().parameters();
   if (search().region() == nullptr) {
-    if (search().rootCount(Side::kPlace) >= parameters.place_roots) return false;
+    if (search().rootsOffered(Side::kPlace) >= parameters.place_roots) return false;
     return search().plantGoal() || search().rootCount(Side::kPlace) == 0;
   }
-  if (search().rootCount(Side::kPick) < parameters.pick_roots && drawPick() != kNoGrasp) return true;
-  if (search().rootCount(Side::kPlace) >= parameters.place_roots) return false;
+  if (search().rootsOffered(Side::kPick) < parameters.pick_roots) {
+    drawPick();
+    return true;
+  }
+  if (search().rootsOffered(Side::kPlace) >= parameters.place_roots) return false;
   const auto picks = search().commonForests().trees(Side::kPick);
   const GraspId grasp = picks[motion().random().uniformInt(0, static_cast<int>(picks.size()) - 1)]->grasp;
   const PlacementId placement = region().samplePlacement();

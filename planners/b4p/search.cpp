@@ -47,6 +47,7 @@ bool allFinite(const ob::StateSpace& space, const ob::State* state) {
 
 Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
   if (!allFinite(*si_->getStateSpace(), root)) return nullptr;
+  ++offered_[index(side)];
   Tree* tree = forestsOf(grasp).plant(side, root, grasp, placement);
   if (tree == nullptr) return nullptr;
   ++roots_[index(side)];

@@ -52,6 +52,9 @@ class Search {
 
   std::size_t rootCount(Side side) const { return roots_[index(side)]; }
 
+  /// How many roots have been offered to plant(), those that were there already included.
+  std::size_t rootsOffered(Side side) const { return offered_[index(side)]; }
+
   /// Takes the next goal of a plain OMPL problem as a root. False when there is none now.
   bool plantGoal();
 
@@ -87,7 +90,7 @@ class Search {
   Schedule schedule_;
   ConnectionMemory memory_;
   std::array<NodeIndex, 2> everywhere_;
-  std::array<std::atomic<std::size_t>, 2> roots_{};
+  std::array<std::atomic<std::size_t>, 2> roots_{}, offered_{};
 
   mutable std::mutex forests_mutex_;
   std::map<GraspId, std::unique_ptr<ForestPair>> forests_;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "experiments/problem.h"
+
+namespace b4p {
+
+/// Writes a planner's trees as JSON: {"schema": 1, "scene": ..., "nodes": [{"side": 0 pick | 1 place,
+/// "grasp": id, "parent": index or -1, "q": [...]}]}.
+/// @throws InputError when the file cannot be written
+void writeForests(const std::string& file, const Problem& problem, const ompl::base::Planner& planner);
+
+}  // namespace b4p

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace b4p {
+
+/// Replaces a file's content at once: whoever reads it sees the old or the new content, never a part.
+/// @throws InputError when it cannot be written
+void writeFile(const std::string& file, const std::string& content);
+
+/// Makes sure, by trying, that a file can be written there, without leaving anything behind.
+/// @throws InputError
+void requireWritableFile(const std::string& file);
+
+/// Makes a folder where there is none, and makes sure that files can be written into it.
+/// @throws InputError
+void requireWritableFolder(const std::string& folder);
+
+}  // namespace b4p

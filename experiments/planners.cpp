@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/planners.h"
+
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include <ompl/base/GenericParam.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Exception.h>
+
+#include "planners/b4p/b4p_planner.h"
+#include "robots/input_error.h"
+
+namespace b4p {
+
+namespace ob = ompl::base;
+
+namespace {
+
+/// Picks that an ordinary planner starts from where grasps form a continuum.
+constexpr int kManyStarts = 64;
+
+ob::PlannerPtr makePaperB4P(const ob::SpaceInformationPtr& si) {
+  auto planner = std::make_shared<B4P>(si);
+  planner->params().setParam("paper", "1");
+  planner->setName("B4P-paper");
+  return planner;
+}
+
+/// Whether the planner takes the value and holds it afterwards. OMPL's own parsing takes "12abc" for 12 and
+/// "-1" for a very large unsigned number; reading the value back (with the six digits that OMPL writes) finds
+/// both.
+bool set(ob::ParamSet& parameters, const std::string& name, const std::string& value) {
+  constexpr double kDigitsKept = 1e-5;
+  const std::string number = value == "true" ? "1" : value == "false" ? "0" : value;
+  try {
+    std::size_t used = 0;
+    const double wanted = std::stod(number, &used);
+    if (used != number.size() || !std::isfinite(wanted) || !parameters.setParam(name, number)) return false;
+    std::string held;
+    return parameters.getParam(name, held) &&
+           std::abs(std::stod(held) - wanted) <= kDigitsKept * std::abs(wanted);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+PlannerCatalogue PlannerCatalogue::standard() {
+  PlannerCatalogue catalogue;
+  catalogue.add({"b4p",
+                 "B4P, default search: roots without limit, every grasp served in turn, connections across "
+                 "grasps repaired",
+                 1, [](const ob::SpaceInformationPtr& si) { return std::make_shared<B4P>(si); }});
+  catalogue.add({"b4p-paper", "B4P as printed: a fixed number of roots, one forest per side for all grasps",
+                 1, makePaperB4P});
+  catalogue.add(
+      {"rrtconnect", "OMPL's RRTConnect on joints x grasp, all picks as starts, placements as goals",
+       kManyStarts,
+       [](const ob::SpaceInformationPtr& si) { return std::make_shared<ompl::geometric::RRTConnect>(si); }});
+  return catalogue;
+}
+
+const PlannerKind& PlannerCatalogue::find(const std::string& name, const std::string& where) const {
+  std::string known;
+  for (const PlannerKind& kind : kinds_) {
+    if (kind.name == name) return kind;
+    known += (known.empty() ? "" : ", ") + kind.name;
+  }
+  throw InputError(where, "", "no planner is called '" + name + "'; there are: " + known);
+}
+
+ob::PlannerPtr makePlanner(const PlannerKind& kind, const PlannerParameters& parameters, unsigned threads,
+                           const ob::SpaceInformationPtr& si, const std::string& where) {
+  constexpr const char* kThreads = "threads";
+  ob::PlannerPtr planner = kind.make(si);
+  ob::ParamSet& known = planner->params();
+  if (known.hasParam(kThreads)) {
+    if (!set(known, kThreads, std::to_string(threads)))
+      throw InputError(where, kThreads, kind.name + " does not take " + std::to_string(threads) + " threads");
+  } else if (threads != 1) {
+    throw InputError(where, kThreads,
+                     kind.name + " runs on one thread (" + std::to_string(threads) + " asked for)");
+  }
+  for (const auto& [name, value] : parameters) {
+    if (name == kThreads) throw InputError(where, name, "is an option of its own, not a parameter");
+    if (!known.hasParam(name)) throw InputError(where, name, kind.name + " has no such parameter");
+    if (!set(known, name, value))
+      throw InputError(where, name, kind.name + " does not take the value '" + value + "'");
+  }
+  return planner;
+}
+
+}  // namespace b4p

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+
+namespace b4p {
+
+/// A planner as the command line and experiment files name it.
+struct PlannerKind {
+  std::string name;
+  std::string description;
+  /// How many picks a problem gets as start states. 1 for planners that draw picks by themselves.
+  int start_states = 1;
+  std::function<ompl::base::PlannerPtr(const ompl::base::SpaceInformationPtr&)> make;
+};
+
+using PlannerParameters = std::map<std::string, std::string>;
+
+/// The planners there are, in the order they are listed.
+class PlannerCatalogue {
+ public:
+  /// b4p, b4p-paper, rrtconnect.
+  static PlannerCatalogue standard();
+
+  void add(PlannerKind kind) { kinds_.push_back(std::move(kind)); }
+  const std::vector<PlannerKind>& kinds() const { return kinds_; }
+
+  /// @param where  named in errors: the option or file and key
+  /// @throws InputError listing the names there are
+  const PlannerKind& find(const std::string& name, const std::string& where) const;
+
+ private:
+  std::vector<PlannerKind> kinds_;
+};
+
+/// Makes a planner and sets its parameters.
+/// @param threads  >= 1; the planner's parameter `threads` where it has one
+/// @throws InputError for an unknown parameter, a value that the planner does not take, or several threads
+/// for a planner of one
+ompl::base::PlannerPtr makePlanner(const PlannerKind& kind, const PlannerParameters& parameters,
+                                   unsigned threads, const ompl::base::SpaceInformationPtr& si,
+                                   const std::string& where);
+
+}  // namespace b4p

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/preflight.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/floating_body.h"
+#include "experiments/problem.h"
+#include "robots/input_error.h"
+
+namespace b4p {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr int kGraspDraws = 200;
+constexpr int kEnoughGrasps = 20;
+constexpr int kPlacementDraws = 200;
+
+void requireObjectFree(const Problem& problem) {
+  FloatingBody object(*FloatingBody::makeChecker(problem.checker->problem(), FloatingBody::Parts::kObject));
+  const Grasp at_origin;
+  const std::string collision = object.describeCollision(problem.scene.X_WO_start, at_origin);
+  if (!collision.empty())
+    throw InputError(problem.scene.file, "object.start",
+                     "the start pose is in collision (" + collision +
+                         "; the object is checked with a margin of " +
+                         std::to_string(problem.scene.edge_step_m / 2.0) + " m)");
+}
+
+/// Tally of why grasps drawn are of no use.
+struct Failures {
+  std::map<std::string, int> reasons;
+
+  void add(RootOutcome outcome, const std::string& collision) {
+    if (outcome == RootOutcome::kUnreachable) ++reasons["no inverse kinematics"];
+    if (outcome == RootOutcome::kGripperCollides || outcome == RootOutcome::kArmCollides)
+      ++reasons["collision " + collision];
+  }
+
+  std::string commonest() const {
+    const auto most = std::max_element(reasons.begin(), reasons.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most == reasons.end()) return "";
+    return ", most often: " + most->first + " (" + std::to_string(most->second) + ")";
+  }
+};
+
+std::vector<Grasp> validGrasps(const Problem& problem, SceneRegionContext& context) {
+  std::vector<Grasp> valid;
+  Failures failures;
+  for (int draw = 0; draw < kGraspDraws && static_cast<int>(valid.size()) < kEnoughGrasps; ++draw) {
+    Grasp grasp;
+    std::string collision;
+    const RootOutcome outcome = context.probePick(grasp, collision);
+    if (outcome == RootOutcome::kValid) valid.push_back(grasp);
+    failures.add(outcome, collision);
+  }
+  if (valid.empty())
+    throw InputError(problem.scene.file, "grasps",
+                     "none of " + std::to_string(kGraspDraws) + " grasps drawn is valid at the start pose" +
+                         failures.commonest());
+  return valid;
+}
+
+void requireReachableRegion(const Problem& problem, SceneRegionContext& context,
+                            const std::vector<Grasp>& grasps) {
+  for (std::size_t draw = 0; draw < kPlacementDraws; ++draw)
+    if (context.reachesSomePlacement(grasps[draw % grasps.size()])) return;
+  throw InputError(problem.scene.file, "placement.region",
+                   "is unreachable: no inverse kinematics for any of " + std::to_string(kPlacementDraws) +
+                       " placements drawn with " + std::to_string(grasps.size()) +
+                       " grasps valid at the start pose");
+}
+
+}  // namespace
+
+void preflight(const Scene& scene) {
+  const Problem problem = makeProblem(scene);
+  requireObjectFree(problem);
+  const auto context = problem.region->makeSceneContext(kSeed);
+  requireReachableRegion(problem, *context, validGrasps(problem, *context));
+}
+
+PickSurvey surveyPicks(const Scene& scene, int count, std::uint64_t seed) {
+  constexpr int kDrawsPerGrasp = 8;
+  const Problem problem = makeProblem(scene);
+  const auto context = problem.region->makeSceneContext(seed);
+  PickSurvey survey;
+  if (problem.region->finite()) {
+    std::vector<double> q(static_cast<std::size_t>(problem.robot->dof()));
+    for (GraspId id = 0; id < problem.region->graspCount(); ++id, ++survey.drawn)
+      for (int draw = 0; draw < kDrawsPerGrasp; ++draw)
+        if (context->pickRoot(id, q.data())) {
+          ++survey.valid;
+          break;
+        }
+    return survey;
+  }
+  for (; survey.drawn < count; ++survey.drawn) {
+    Grasp grasp;
+    std::string collision;
+    if (context->probePick(grasp, collision) == RootOutcome::kValid) ++survey.valid;
+  }
+  return survey;
+}
+
+}  // namespace b4p

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/query.h"
+
+#include <cmath>
+#include <utility>
+
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "robots/input_error.h"
+
+namespace b4p {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace {
+
+enum Stream : std::uint64_t { kOmplStream, kGoalStream, kStartStream };
+
+/// OMPL says, as an error, that seeding comes too late for those generators that exist already; those of this
+/// query do not yet.
+Problem makeSeededProblem(const Scene& scene, std::uint64_t seed) {
+  ompl::msg::noOutputHandler();
+  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(derivedSeed(seed, kOmplStream)));
+  Problem problem = makeProblem(scene);
+  problem.goal->seed(derivedSeed(seed, kGoalStream));
+  return problem;
+}
+
+}  // namespace
+
+Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCatalogue& catalogue,
+             const QuerySettings& settings, const std::string& where)
+    : scene_name_(scene_name), settings_(settings), problem_(makeSeededProblem(scene, settings.seed)) {
+  requireTimeLimit(settings.time_limit_s, where, "time limit");
+  const PlannerKind& kind = catalogue.find(settings.planner, where);
+  const auto prepare = [this, starts = kind.start_states](const ob::PlannerTerminationCondition& done) {
+    addStartStates(problem_, starts, derivedSeed(settings_.seed, kStartStream), done);
+  };
+  const auto finish = [this] {
+    state_checks_ = problem_.counts->states;
+    edge_checks_ = problem_.counts->edges;
+  };
+  planner_ = std::make_shared<DeadlinePlanner>(
+      makePlanner(kind, settings.parameters, settings.threads, problem_.si, where), settings.time_limit_s,
+      prepare, finish);
+  problem_.setup->setPlanner(planner_);
+}
+
+void Query::solve() {
+  planner_->setProblemDefinition(problem_.pdef);
+  planner_->setup();
+  status_ = planner_->solve(ob::plannerNonTerminatingCondition());
+}
+
+PlanResult Query::result(const ob::PlannerStatus& status) const {
+  PlanResult result;
+  result.scene = scene_name_;
+  result.planner = settings_.planner;
+  result.parameters = settings_.parameters;
+  result.seed = settings_.seed;
+  result.threads = settings_.threads;
+  result.time_limit_s = settings_.time_limit_s;
+  result.planning_time_s = planner_->elapsed_s();
+  result.status = status.asString();
+  for (const int joint : problem_.robot->plannedJoints())
+    result.joint_names.push_back(problem_.robot->model().joints[static_cast<std::size_t>(joint)].name);
+  result.solved = status == ob::PlannerStatus::EXACT_SOLUTION && problem_.pdef->hasExactSolution();
+  if (!result.solved) return result;
+
+  using StateType = ManipulationStateSpace::StateType;
+  const auto& path = *problem_.pdef->getSolutionPath()->as<og::PathGeometric>();
+  const auto dof = static_cast<std::ptrdiff_t>(problem_.space->dof());
+  for (std::size_t i = 0; i < path.getStateCount(); ++i) {
+    const double* q = path.getState(static_cast<unsigned>(i))->as<StateType>()->q;
+    result.path.emplace_back(q, q + dof);
+  }
+  result.grasp_id = path.getState(0)->as<StateType>()->grasp;
+  result.grasp = problem_.region->grasp(result.grasp_id);
+  result.X_WO_pick = problem_.region->objectPose(result.path.front().data(), result.grasp);
+  result.X_WO_place = problem_.region->objectPose(result.path.back().data(), result.grasp);
+  return result;
+}
+
+void requireTimeLimit(double time_limit_s, const std::string& where, const std::string& element) {
+  if (!(time_limit_s > 0.0) || !std::isfinite(time_limit_s))
+    throw InputError(where, element,
+                     "has to be a positive number of seconds (" + std::to_string(time_limit_s) + ")");
+}
+
+}  // namespace b4p

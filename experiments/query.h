@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "experiments/deadline_planner.h"
+#include "experiments/planners.h"
+#include "experiments/problem.h"
+#include "experiments/result.h"
+#include "experiments/scene.h"
+
+namespace b4p {
+
+/// How a scene is to be solved.
+struct QuerySettings {
+  std::string planner = "b4p";
+  PlannerParameters parameters;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  double time_limit_s = 0.0;  ///< > 0
+};
+
+/// One run of one planner on one scene. The time limit covers all that happens after construction: the
+/// drawing of start states (planners that draw their own picks get one), the planner, the joining of its
+/// threads. On one thread the seed determines the path.
+///
+/// Seeds OMPL's global generator, so only one query may be made and run at a time in a process.
+class Query {
+ public:
+  /// @param scene_name  as loadScene() takes it; for the result file
+  /// @param where       named in errors about planner and parameters
+  /// @throws InputError
+  Query(const Scene& scene, const std::string& scene_name, const PlannerCatalogue& catalogue,
+        const QuerySettings& settings, const std::string& where);
+
+  const Problem& problem() const { return problem_; }
+  const std::shared_ptr<DeadlinePlanner>& planner() const { return planner_; }
+
+  /// Runs the planner. Exceptions out of it become the status CRASH.
+  void solve();
+
+  /// What came of it, not verified yet.
+  PlanResult result(const ompl::base::PlannerStatus& status) const;
+  PlanResult result() const { return result(status_); }
+
+  /// Checks asked for by the planner, not counting those that others made afterwards.
+  std::uint64_t stateChecks() const { return state_checks_; }
+  std::uint64_t edgeChecks() const { return edge_checks_; }
+
+ private:
+  std::string scene_name_;
+  QuerySettings settings_;
+  Problem problem_;
+  std::shared_ptr<DeadlinePlanner> planner_;
+  ompl::base::PlannerStatus status_;
+  std::uint64_t state_checks_ = 0;
+  std::uint64_t edge_checks_ = 0;
+};
+
+/// @throws InputError unless a time limit (s) is positive and finite
+void requireTimeLimit(double time_limit_s, const std::string& where, const std::string& element);
+
+}  // namespace b4p

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/runner/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace b4p {
+namespace {
+
+/// Of sorted values, linear between neighbours; infinite as soon as an infinite one takes part.
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double position = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const double weight = position - static_cast<double>(below);
+  if (weight == 0.0) return sorted[below];
+  return sorted[below] + weight * (sorted[below + 1] - sorted[below]);
+}
+
+std::string seconds(double value, double limit_s) {
+  std::ostringstream text;
+  text.precision(3);
+  if (std::isfinite(value))
+    text << value;
+  else
+    text << "> " << limit_s;
+  return text.str();
+}
+
+std::string row(const Contender& contender, const std::vector<const RunRecord*>& runs, double limit_s) {
+  std::vector<double> times;
+  int solved = 0, verified = 0, crashed = 0;
+  std::set<int> grasps;
+  for (const RunRecord* run : runs) {
+    solved += run->result.solved;
+    verified += run->verified();
+    crashed += run->crashed;
+    if (run->verified()) grasps.insert(run->result.grasp_id);
+    times.push_back(run->verified() ? run->result.planning_time_s : std::numeric_limits<double>::infinity());
+  }
+  std::sort(times.begin(), times.end());
+  std::ostringstream text;
+  text << "| " << contender.label << " | " << contender.planner << " | " << contender.threads << " | "
+       << solved << " of " << runs.size() << " | " << verified << " of " << solved << " | " << crashed
+       << " | " << (runs.empty() ? "" : seconds(quantile(times, 0.5), limit_s)) << " | "
+       << (runs.empty()
+               ? ""
+               : seconds(quantile(times, 0.25), limit_s) + " ... " + seconds(quantile(times, 0.75), limit_s))
+       << " | " << grasps.size() << " |\n";
+  return text.str();
+}
+
+}  // namespace
+
+std::string summaryTables(const Experiment& experiment, const std::vector<RunRecord>& records) {
+  std::vector<std::string> scenes;
+  for (const RunRecord& record : records)
+    if (std::find(scenes.begin(), scenes.end(), record.scene) == scenes.end()) scenes.push_back(record.scene);
+  std::ostringstream text;
+  for (const std::string& scene : scenes) {
+    text << "## " << scene << "\n\n"
+         << "| label | planner | threads | solved | verified | crashed | median (s) | quartiles (s) | grasps "
+            "used |\n"
+         << "|---|---|---|---|---|---|---|---|---|\n";
+    for (const Contender& contender : experiment.contenders) {
+      std::vector<const RunRecord*> runs;
+      for (const RunRecord& record : records)
+        if (record.scene == scene && record.label == contender.label) runs.push_back(&record);
+      text << row(contender, runs, experiment.time_limit_s);
+    }
+    text << "\n";
+  }
+  return text.str();
+}
+
+}  // namespace b4p

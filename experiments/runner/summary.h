@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/runner/experiment.h"
+#include "experiments/runner/run_record.h"
+
+namespace b4p {
+
+/// A table per scene in Markdown: solved of runs, verified of solved, median and quartiles of the time to a
+/// verified path, where a run without one counts as longer than the limit.
+std::string summaryTables(const Experiment& experiment, const std::vector<RunRecord>& records);
+
+}  // namespace b4p

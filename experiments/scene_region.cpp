@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/scene_region.h"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "experiments/floating_body.h"
+
+namespace b4p {
+namespace {
+
+/// Inverse-kinematics attempts per root, and how many answers that collide are tried again from another seed:
+/// a redundant arm reaches a pose with many postures.
+constexpr int kIkAttempts = 8;
+constexpr int kPostures = 3;
+
+constexpr IkTolerance kIkTolerance{1e-5, 1e-4};
+
+/// How much farther from the region's boundary placements are drawn than the object may end up: the
+/// inverse kinematics' error, seen at a TCP half a metre from the object's origin at most.
+constexpr double kPlacementMargin_m = 1e-4;
+
+/// A tilt below this is upright: the inverse kinematics' error with room for rounding.
+constexpr double kUprightTolerance_rad = 5e-4;
+
+}  // namespace
+
+SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker)
+    : checker_(std::move(checker)),
+      gripper_checker_(FloatingBody::makeChecker(checker_->problem(), FloatingBody::Parts::kGripper)),
+      robot_(checker_->problem().robot),
+      X_WO_start_(scene.X_WO_start),
+      sampler_(makeGraspSampler(scene.grasps, robot_->description().max_opening_m)),
+      placement_sampler_(scene.placement, scene.X_WO_start, kPlacementMargin_m, kUprightTolerance_rad) {
+  for (const Grasp& grasp : sampler_->all()) grasps_.add(grasp);
+}
+
+std::unique_ptr<PickPlaceContext> SceneRegion::makeContext(std::uint64_t seed) const {
+  return makeSceneContext(seed);
+}
+
+std::unique_ptr<SceneRegionContext> SceneRegion::makeSceneContext(std::uint64_t seed) const {
+  return std::make_unique<SceneRegionContext>(*this, seed);
+}
+
+Eigen::Isometry3d SceneRegion::objectPose(const double* q, const Grasp& grasp) const {
+  return robot_->tcpPose(q) * grasp.X_OT.inverse();
+}
+
+double SceneRegion::distanceToPlacement(const double* q, GraspId grasp) const {
+  return placement_sampler_.distance(objectPose(q, grasps_.at(grasp)));
+}
+
+struct SceneRegionContext::Impl {
+  Impl(const SceneRegion& region_in, const CollisionChecker& checker, const CollisionChecker& gripper_checker,
+       std::uint64_t seed)
+      : region(region_in),
+        robot(checker.problem().robot),
+        collisions(checker.makeContext()),
+        gripper(gripper_checker),
+        kinematics(makeKdlInverseKinematics(robot, kIkTolerance)),
+        random(seed) {}
+
+  const SceneRegion& region;
+  std::shared_ptr<const Manipulator> robot;
+  std::unique_ptr<CollisionContext> collisions;
+  FloatingBody gripper;
+  std::unique_ptr<InverseKinematics> kinematics;
+  std::mt19937_64 random;
+  Eigen::VectorXd answer;
+};
+
+SceneRegionContext::SceneRegionContext(const SceneRegion& region, std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(region, *region.checker_, *region.gripper_checker_, seed)) {}
+
+SceneRegionContext::~SceneRegionContext() = default;
+
+RootOutcome SceneRegionContext::root(const Eigen::Isometry3d& X_WO, const Grasp& grasp, double* q) {
+  const Eigen::Isometry3d X_WT = X_WO * grasp.X_OT;
+  if (!impl_->gripper.isFree(X_WT, grasp)) return RootOutcome::kGripperCollides;
+  for (int posture = 0; posture < kPostures; ++posture) {
+    if (!impl_->kinematics->solve(X_WT, impl_->random, kIkAttempts, impl_->answer))
+      return posture == 0 ? RootOutcome::kUnreachable : RootOutcome::kArmCollides;
+    if (!impl_->collisions->isFree(impl_->answer.data(), &grasp)) continue;
+    std::copy_n(impl_->answer.data(), impl_->answer.size(), q);
+    return RootOutcome::kValid;
+  }
+  return RootOutcome::kArmCollides;
+}
+
+bool SceneRegionContext::samplePick(double* q, GraspId& grasp) {
+  const SceneRegion& region = impl_->region;
+  if (region.finite()) {
+    grasp = std::uniform_int_distribution<GraspId>(0, region.graspCount() - 1)(impl_->random);
+    return pickRoot(grasp, q);
+  }
+  const Grasp drawn = region.sampler_->sample(impl_->random);
+  if (root(region.X_WO_start_, drawn, q) != RootOutcome::kValid) return false;
+  grasp = region.grasps_.add(drawn);
+  return true;
+}
+
+bool SceneRegionContext::pickRoot(GraspId grasp, double* q) {
+  return root(impl_->region.X_WO_start_, impl_->region.grasp(grasp), q) == RootOutcome::kValid;
+}
+
+PlacementId SceneRegionContext::samplePlacement() {
+  return impl_->region.placements_.add(impl_->region.placement_sampler_.sample(impl_->random));
+}
+
+bool SceneRegionContext::placeRoot(PlacementId placement, GraspId grasp, double* q) {
+  return root(impl_->region.placement(placement), impl_->region.grasp(grasp), q) == RootOutcome::kValid;
+}
+
+RootOutcome SceneRegionContext::probePick(Grasp& grasp, std::string& collision) {
+  grasp = impl_->region.sampler_->sample(impl_->random);
+  const Eigen::Isometry3d X_WT = impl_->region.X_WO_start_ * grasp.X_OT;
+  std::vector<double> q(static_cast<std::size_t>(impl_->robot->dof()));
+  const RootOutcome outcome = root(impl_->region.X_WO_start_, grasp, q.data());
+  if (outcome == RootOutcome::kGripperCollides) collision = impl_->gripper.describeCollision(X_WT, grasp);
+  if (outcome == RootOutcome::kArmCollides)
+    collision = impl_->collisions->describeCollision(impl_->answer.data(), &grasp);
+  return outcome;
+}
+
+bool SceneRegionContext::reachesSomePlacement(const Grasp& grasp) {
+  const Eigen::Isometry3d X_WO = impl_->region.placement_sampler_.sample(impl_->random);
+  return impl_->kinematics->solve(X_WO * grasp.X_OT, impl_->random, kIkAttempts, impl_->answer);
+}
+
+}  // namespace b4p

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/verification/collision_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "experiments/verification/separation.h"
+#include "robots/input_error.h"
+
+namespace b4p::verification {
+namespace {
+
+int requireLink(const Scene& scene, const UrdfTree& tree, const std::string& name) {
+  const int link = tree.linkIndex(name);
+  if (link < 0)
+    throw InputError(scene.robot.file, "link '" + name + "'", "is not in " + scene.robot.urdf_file);
+  return link;
+}
+
+/// For each link the first link, from the root, of the rigid group it belongs to.
+std::vector<int> rigidGroups(const UrdfTree& tree) {
+  std::vector<int> group(tree.links.size());
+  for (const int link : tree.root_first) {
+    const int joint = tree.links[static_cast<std::size_t>(link)].parent_joint;
+    const bool rigid =
+        joint >= 0 && tree.joints[static_cast<std::size_t>(joint)].type == UrdfJointType::kFixed;
+    group[static_cast<std::size_t>(link)] =
+        rigid ? group[static_cast<std::size_t>(tree.joints[static_cast<std::size_t>(joint)].parent_link)]
+              : link;
+  }
+  return group;
+}
+
+/// Pairs of links whose contact says nothing: rigidly joined, joined by one joint, or listed by the robot
+/// file.
+std::vector<std::pair<int, int>> skippedPairs(const Scene& scene, const UrdfTree& tree) {
+  std::vector<std::pair<int, int>> skipped;
+  for (const UrdfJoint& joint : tree.joints) skipped.emplace_back(joint.parent_link, joint.child_link);
+  for (const auto& [a, b] : scene.robot.description.skip_self_collision)
+    skipped.emplace_back(requireLink(scene, tree, a), requireLink(scene, tree, b));
+  const std::vector<int> group = rigidGroups(tree);
+  for (int a = 0; a < static_cast<int>(group.size()); ++a)
+    for (int b = 0; b < a; ++b)
+      if (group[static_cast<std::size_t>(a)] == group[static_cast<std::size_t>(b)])
+        skipped.emplace_back(a, b);
+  return skipped;
+}
+
+}  // namespace
+
+CollisionSweep::CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m)
+    : robot_(robot), opening_m_(grasp.opening_m), step_m_(step_m) {
+  addBodies(scene, grasp);
+  addPairs(scene);
+}
+
+void CollisionSweep::addBody(std::string name, int link, bool held, const PlacedBody& placed) {
+  const double radius_m = (placed.X_LS * placed.body.centre()).norm() + placed.body.radius();
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(robot_.dof());
+  if (link != kWorld) motion = robot_.motionPerUnit(link, radius_m);
+  bodies_.push_back(
+      {std::move(name), link, held, placed, motion, placed.X_LS, placed.X_LS * placed.body.centre()});
+}
+
+void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
+  const UrdfTree& tree = robot_.tree();
+  for (int link = 0; link < static_cast<int>(tree.links.size()); ++link) {
+    const UrdfLink& urdf_link = tree.links[static_cast<std::size_t>(link)];
+    for (const PlacedBody& placed : urdf_link.bodies)
+      addBody("link '" + urdf_link.name + "'", link, false, placed);
+  }
+  const Eigen::Isometry3d X_TO = grasp.X_OT.inverse(Eigen::Isometry);
+  for (const PlacedShape& piece : scene.object)
+    addBody("object '" + scene.object_name + "'", robot_.tcpLink(), true,
+            {ConvexBody::of(piece.shape), X_TO * piece.X_BS});
+  for (const Obstacle& obstacle : scene.obstacles)
+    addBody("obstacle '" + obstacle.name + "'", kWorld, false,
+            {ConvexBody::of(obstacle.shape.shape), obstacle.shape.X_BS});
+}
+
+bool CollisionSweep::mayTouch(const Body& a, const Body& b, const std::vector<std::pair<int, int>>& skipped,
+                              const std::vector<int>& fingers) {
+  if (a.held && b.held) return true;
+  if (a.link == kWorld || b.link == kWorld) return a.link == b.link;
+  const auto isFinger = [&fingers](int link) {
+    return std::find(fingers.begin(), fingers.end(), link) != fingers.end();
+  };
+  if (a.held || b.held) return isFinger(a.held ? b.link : a.link);
+  return a.link == b.link || std::any_of(skipped.begin(), skipped.end(), [&](const auto& pair) {
+           return pair == std::make_pair(a.link, b.link) || pair == std::make_pair(b.link, a.link);
+         });
+}
+
+void CollisionSweep::addPairs(const Scene& scene) {
+  const auto skipped = skippedPairs(scene, robot_.tree());
+  std::vector<int> fingers;
+  for (const std::string& name : scene.robot.description.finger_links)
+    fingers.push_back(requireLink(scene, robot_.tree(), name));
+  for (int a = 0; a < static_cast<int>(bodies_.size()); ++a)
+    for (int b = a + 1; b < static_cast<int>(bodies_.size()); ++b)
+      if (!mayTouch(bodies_[static_cast<std::size_t>(a)], bodies_[static_cast<std::size_t>(b)], skipped,
+                    fingers))
+        pairs_.push_back({a, b, 0.0, 0.0, Eigen::Vector3d::UnitX()});
+}
+
+/// Bounds all motions over an edge that changes the joints by `change`. Returns the number of steps.
+double CollisionSweep::prepareEdge(const Eigen::VectorXd& change) {
+  const Eigen::VectorXd amount = change.cwiseAbs();
+  for (Pair& pair : pairs_) {
+    const Eigen::VectorXd& a = bodies_[static_cast<std::size_t>(pair.a)].motion_per_unit;
+    const Eigen::VectorXd& b = bodies_[static_cast<std::size_t>(pair.b)].motion_per_unit;
+    pair.due = 0.0;
+    pair.motion_m = 0.0;
+    // Seen from the last joint that moves both bodies, only the joints after it move either of them.
+    for (Eigen::Index j = 0; j < amount.size(); ++j)
+      if (a[j] == 0.0 || b[j] == 0.0) pair.motion_m += amount[j] * (a[j] + b[j]);
+  }
+  double farthest_m = 0.0;
+  for (const Body& body : bodies_) farthest_m = std::max(farthest_m, body.motion_per_unit.dot(amount));
+  return std::max(1.0, std::ceil(farthest_m / step_m_));
+}
+
+void CollisionSweep::moveTo(const Eigen::VectorXd& q) {
+  const std::vector<Eigen::Isometry3d> X_WL = robot_.linkPoses(q, opening_m_);
+  for (Body& body : bodies_) {
+    if (body.link == kWorld) continue;
+    body.X_WS = X_WL[static_cast<std::size_t>(body.link)] * body.placed.X_LS;
+    body.p_WC = body.X_WS * body.placed.body.centre();
+  }
+}
+
+/// Measures a pair at one of `count` + 1 samples and sets when it is due again. False: the two touch.
+bool CollisionSweep::measure(Pair& pair, double sample, double count) {
+  const Body& a = bodies_[static_cast<std::size_t>(pair.a)];
+  const Body& b = bodies_[static_cast<std::size_t>(pair.b)];
+  // The balls around the bodies suffice while they are farther apart than the smaller one is thick.
+  double distance_m = (a.p_WC - b.p_WC).norm() - a.placed.body.radius() - b.placed.body.radius();
+  const double thickness_m = 2.0 * std::min(a.placed.body.radius(), b.placed.body.radius());
+  if (distance_m < closest_m_ + thickness_m || std::isinf(closest_m_)) {
+    const Separation found = separation(a.placed.body, a.X_WS, b.placed.body, b.X_WS, pair.direction);
+    if (!found.apart()) return false;
+    pair.direction = found.direction;
+    distance_m = found.distance_m;
+    closest_m_ = std::min(closest_m_, distance_m);
+  }
+  const double spare_m = distance_m - closest_m_;
+  pair.due = pair.motion_m > 0.0 ? sample + std::floor(spare_m / pair.motion_m * count) + 1.0
+                                 : std::numeric_limits<double>::infinity();
+  return true;
+}
+
+std::optional<Contact> CollisionSweep::firstContact(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) {
+  const double count = prepareEdge(q2 - q1);
+  samples_ += static_cast<long>(count) + (samples_ == 0 ? 1 : 0);  // edges share their way-points
+  for (double sample = 0.0; sample <= count;) {
+    const double fraction = sample / count;
+    moveTo(sample < count ? Eigen::VectorXd(q1 + fraction * (q2 - q1)) : q2);
+    double next = count + 1.0;
+    for (Pair& pair : pairs_) {
+      if (pair.due <= sample && !measure(pair, sample, count))
+        return Contact{bodies_[static_cast<std::size_t>(pair.a)].name,
+                       bodies_[static_cast<std::size_t>(pair.b)].name, fraction};
+      next = std::min(next, pair.due);
+    }
+    sample = next;
+  }
+  return std::nullopt;
+}
+
+double CollisionSweep::clearance_m() const { return std::isinf(closest_m_) ? 0.0 : closest_m_; }
+
+}  // namespace b4p::verification

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "experiments/scene.h"
+#include "experiments/verification/convex_body.h"
+#include "experiments/verification/kinematics.h"
+#include "robots/grasp.h"
+
+namespace b4p::verification {
+
+/// Two things that may not touch and do.
+struct Contact {
+  std::string first, second;
+  double fraction;  ///< where on the edge, 0 to 1
+};
+
+/// Moves robot and held object along edges and looks for contact. Holds scratch: one thread.
+///
+/// Samples of an edge lie so close that no point moves more than step_m between them. A pair of bodies
+/// measured d apart cannot come closer than the smallest distance c seen so far while its relative motion
+/// stays within d - c; it is measured again at the first sample beyond. So every sample is checked, and no
+/// distance at one is below the clearance.
+class CollisionSweep {
+ public:
+  /// @param scene, robot  have to outlive the sweep
+  /// @throws InputError for names of links that the robot does not have.
+  CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m);
+
+  /// The first contact on the straight edge from q1 to q2, both included.
+  std::optional<Contact> firstContact(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2);
+
+  long samples() const { return samples_; }  ///< configurations covered so far
+  /// Smallest distance at any of them (m); 0 when nothing could touch.
+  double clearance_m() const;
+
+ private:
+  static constexpr int kWorld = -1;
+
+  struct Body {
+    std::string name;
+    int link;   ///< frame it is fixed in, or kWorld
+    bool held;  ///< part of the held object
+    PlacedBody placed;
+    Eigen::VectorXd motion_per_unit;  ///< see Kinematics
+    Eigen::Isometry3d X_WS;           ///< where it is at the sample looked at
+    Eigen::Vector3d p_WC;             ///< centre of its ball
+  };
+  struct Pair {
+    int a, b;
+    double motion_m;            ///< relative motion over the edge, at most
+    double due;                 ///< number of the sample at which to measure next
+    Eigen::Vector3d direction;  ///< of the gap found last
+  };
+
+  void addBodies(const Scene& scene, const Grasp& grasp);
+  void addPairs(const Scene& scene);
+  void addBody(std::string name, int link, bool held, const PlacedBody& placed);
+  static bool mayTouch(const Body& a, const Body& b, const std::vector<std::pair<int, int>>& skipped,
+                       const std::vector<int>& fingers);
+  double prepareEdge(const Eigen::VectorXd& change);
+  void moveTo(const Eigen::VectorXd& q);
+  bool measure(Pair& pair, double sample, double count);
+
+  const Kinematics& robot_;
+  double opening_m_;
+  double step_m_;
+  std::vector<Body> bodies_;
+  std::vector<Pair> pairs_;
+  double closest_m_ = std::numeric_limits<double>::infinity();
+  long samples_ = 0;
+};
+
+}  // namespace b4p::verification

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "experiments/verification/convex_body.h"
+
+namespace b4p::verification {
+
+/// Two bodies no farther apart than this count as touching (m).
+constexpr double kTouching_m = 1e-9;
+
+/// How far apart two bodies are, with its proof: along the unit vector `direction` (in W, from b to a) a gap
+/// of width `distance_m` lies between them. The number is therefore never too large; where no gap is found it
+/// is not positive and says nothing more.
+struct Separation {
+  double distance_m;
+  Eigen::Vector3d direction;
+
+  bool apart() const { return distance_m > kTouching_m; }
+};
+
+/// The widest gap that the Gilbert-Johnson-Keerthi iteration finds between a and b: their distance, to a
+/// relative 1e-8, when they are apart. An iteration that breaks down numerically cannot turn contact into a
+/// gap, since only the support functions decide how wide a gap is.
+/// @param hint  direction tried first, not zero: best the one of a similar pair of poses
+Separation separation(const ConvexBody& a, const Eigen::Isometry3d& X_WA, const ConvexBody& b,
+                      const Eigen::Isometry3d& X_WB, const Eigen::Vector3d& hint);
+
+}  // namespace b4p::verification

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "experiments/result.h"
+#include "experiments/scene.h"
+
+namespace b4p {
+
+/// Re-checks a planned path with code of its own, from the URDF to the distances: nothing here comes from
+/// state_validity, KDL, urdfdom or FCL. Checked, until the first thing is found wrong:
+/// - the result is an exact solution of this scene, its joints are the robot's, in order, and inside their
+/// limits;
+/// - the grasp is one that holds the object; the object is at the start pose at the first way-point (1 mm,
+/// 0.2 degrees), at rest
+///   in the placement region at the last one, and the poses stated in the result agree;
+/// - along every edge nothing touches: robot against obstacles, links against each other (except those
+///   joined by one joint or rigidly, and the robot file's pairs), held object against obstacles and links
+///   (except fingers). Shapes are bare, without padding.
+///
+/// Every edge is divided so finely that no point of robot or object moves more than `edge_step_m` / 10
+/// between two samples. At every sample each pair of bodies is either measured, or known to be apart since
+/// the distance measured at an earlier sample exceeds what the motion since then can have used up. The
+/// clearance reported is the smallest distance at any sample; 0 when there is nothing to measure, or the path
+/// fails.
+///
+/// Thread-safe. The outcome depends on the arguments alone.
+/// @throws InputError when the scene's URDF cannot be read or lacks what the robot file names.
+Verification verify(const Scene& scene, const PlanResult& result);
+
+}  // namespace b4p

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robots/mesh_loader.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+namespace b4p {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// `place` itself when it bears the package's name, else its subfolder of that name; empty when there is
+/// neither.
+fs::path packageAt(const fs::path& place, const std::string& name) {
+  if (place.filename() == name && isFolder(place)) return place;
+  return isFolder(place / name) ? place / name : fs::path();
+}
+
+std::vector<fs::path> searchedFolders(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  for (fs::path place = folder;; place = place.parent_path()) {
+    folders.push_back(place);
+    if (place == place.parent_path()) break;
+  }
+  if (const char* listed = std::getenv("ROS_PACKAGE_PATH")) {
+    std::istringstream entries(listed);
+    for (std::string entry; std::getline(entries, entry, ':');)
+      if (!entry.empty()) folders.push_back(fs::path(entry).lexically_normal());
+  }
+  return folders;
+}
+
+fs::path inPackage(const std::string& rest, const fs::path& folder) {
+  const std::size_t slash = rest.find('/');
+  const std::string name = rest.substr(0, slash);
+  if (name.empty() || slash == std::string::npos)
+    throw std::runtime_error("the address names no package and file, as package://NAME/FILE");
+  for (const fs::path& place : searchedFolders(folder))
+    if (const fs::path package = packageAt(place, name); !package.empty())
+      return package / rest.substr(slash + 1);
+  throw std::runtime_error("no folder '" + name + "' above the URDF or in ROS_PACKAGE_PATH");
+}
+
+bool startsWith(const std::string& text, const std::string& prefix) {
+  return text.compare(0, prefix.size(), prefix) == 0;
+}
+
+}  // namespace
+
+std::string meshFile(const std::string& address, const std::string& folder) {
+  static const std::string kPackage = "package://", kFile = "file://";
+  const fs::path base = fs::absolute(folder).lexically_normal();
+  fs::path file;
+  if (startsWith(address, kPackage))
+    file = inPackage(address.substr(kPackage.size()), base);
+  else if (startsWith(address, kFile))
+    file = address.substr(kFile.size());
+  else
+    file = base / address;
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) throw std::runtime_error("no such file: " + file.string());
+  return file.string();
+}
+
+std::shared_ptr<const ConvexMesh> loadMeshHull(const std::string& file, const Eigen::Vector3d& scale) {
+  if (!scale.allFinite() || (scale.array() == 0.0).any())
+    throw std::runtime_error("the scale has to be finite and not zero");
+  Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  // Pre-transforming puts all parts of the file into one frame.
+  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  if (scene == nullptr || scene->mNumMeshes == 0) throw std::runtime_error("holds no mesh that can be read");
+  std::vector<Eigen::Vector3d> points;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m)
+    for (unsigned v = 0; v < scene->mMeshes[m]->mNumVertices; ++v) {
+      const aiVector3D& p = scene->mMeshes[m]->mVertices[v];
+      points.emplace_back(scale.cwiseProduct(Eigen::Vector3d(p.x, p.y, p.z)));
+    }
+  try {
+    return convexHull(points);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+}  // namespace b4p

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A solution replayed in its scene."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from b4p_files.poses import transform
+from b4p_files.result import Result
+from b4p_files.scene import Scene
+
+
+@dataclass
+class Motion:
+    """Row i of every array belongs to the same moment."""
+
+    links: dict[str, np.ndarray]  # X_WL
+    tcp: np.ndarray  # X_WT
+    object: np.ndarray  # X_WO
+
+
+def resample(path: np.ndarray, count: int) -> np.ndarray:
+    """`count` configurations along `path` at equal distances in joint space, both ends included."""
+    steps = np.linalg.norm(np.diff(path, axis=0), axis=1)
+    travelled = np.concatenate([[0.0], np.cumsum(steps)])
+    wanted = np.linspace(0.0, travelled[-1], count)
+    return np.column_stack([np.interp(wanted, travelled, column) for column in path.T])
+
+
+def replay(scene: Scene, result: Result, count: int) -> Motion:
+    links = scene.robot.link_poses(resample(result.path, count), result.opening_m, scene.X_WB)
+    tcp = links[scene.robot.tcp_link]
+    return Motion(links, tcp, tcp @ np.linalg.inv(result.X_OT))
+
+
+def rest(scene: Scene) -> Motion:
+    """One moment: the robot in the middle of its joint limits, the object where it starts."""
+    links = scene.robot.link_poses(scene.robot.middle[None], 0.0, scene.X_WB)
+    return Motion(links, links[scene.robot.tcp_link], scene.X_WO_start[None])
+
+
+def robot_points(scene: Scene, motion: Motion, moment: int, unless_as_at: int | None = None) -> list[np.ndarray]:
+    """Points in the world whose convex hulls are the robot's solids; without links that are where they are at the
+    moment `unless_as_at`."""
+    solids = []
+    for link, shapes in scene.robot.shapes.items():
+        X_WL = motion.links[link]
+        if unless_as_at is None or not np.allclose(X_WL[moment], X_WL[unless_as_at]):
+            solids += [transform(X_WL[moment] @ placed.X_BS, placed.shape.points()) for placed in shapes]
+    return solids
+
+
+def object_points(scene: Scene, X_WO: np.ndarray) -> list[np.ndarray]:
+    return [transform(X_WO @ placed.X_BS, placed.shape.points()) for placed in scene.object]
+
+
+def obstacle_points(scene: Scene) -> list[np.ndarray]:
+    return [transform(placed.X_BS, placed.shape.points()) for placed in scene.obstacles.values()]
+
+
+def motion_title(scene: Scene, result: Result | None) -> str:
+    if result is None:
+        return f"{scene.name}: {scene.robot.file.stem} and {scene.object_name}"
+    threads = f"{result.threads} thread{'s' * (result.threads != 1)}"
+    verdict = "verified" if result.verified else "not verified"
+    outcome = f"{result.status} in {result.planning_time_s:.3g} s, {verdict}"
+    return f"{scene.name}: {result.planner}, seed {result.seed}, {threads}\n{outcome}, grasp {result.grasp_id}"

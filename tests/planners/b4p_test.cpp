@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Promises of B4P alone: one thread and one seed give one path; a worker's single steps can be taken from outside; trees of
+// different grasps are joined and their path repaired; Eq. 3 is not asked twice.
+#include <cstring>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "planners/b4p/b4p_planner.h"
+#include "planners/toy_world.h"
+
+namespace b4p::test {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+using StateType = ManipulationStateSpace::StateType;
+
+DiscWorld narrowWorld() {
+  DiscWorld world;
+  world.grasps = eightGrasps();
+  world.walls = wallWithOpening(0.6);
+  return world;
+}
+
+std::vector<double> valuesOf(const og::PathGeometric& path) {
+  std::vector<double> values;
+  for (unsigned i = 0; i < path.getStateCount(); ++i) {
+    const auto* s = path.getState(i)->as<StateType>();
+    values.insert(values.end(), {s->q[0], s->q[1], static_cast<double>(s->grasp)});
+  }
+  return values;
+}
+
+std::vector<double> solveWithSeed(std::uint_fast32_t seed, bool paper) {
+  ompl::RNG::setSeed(seed);
+  DiscWorld world = narrowWorld();
+  world.walls = wallWithOpening(1.5);
+  const DiscProblem setup(world);
+  B4P planner(setup.si);
+  B4PParameters parameters;
+  parameters.paper = paper;
+  planner.setParameters(parameters);
+  planner.setProblemDefinition(setup.problem);
+  EXPECT_EQ(planner.ob::Planner::solve(30.0), ob::PlannerStatus::EXACT_SOLUTION);
+  return valuesOf(*setup.problem->getSolutionPath()->as<og::PathGeometric>());
+}
+
+TEST(B4PPlanner, OneSeedGivesTheSameBytesOnOneThread) {
+  ompl::msg::noOutputHandler();
+  for (const bool paper : {false, true}) {
+    const auto once = solveWithSeed(11, paper), again = solveWithSeed(11, paper), other = solveWithSeed(12, paper);
+    ASSERT_EQ(once.size(), again.size());
+    EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(double)), 0);
+    EXPECT_NE(once, other);
+  }
+}
+
+/// A search whose workers the test steps by hand.
+struct SteppedSearch {
+  explicit SteppedSearch(const DiscWorld& world, const B4PParameters& chosen = {}) : setup(world), parameters(chosen) {
+    inputs.use(setup.problem);
+    search = std::make_unique<Search>(setup.si, parameters, setup.goal.get(), setup.region.get(), inputs, statistics);
+  }
+  DiscProblem setup;
+  B4PParameters parameters;
+  ob::PlannerInputStates inputs;
+  Statistics statistics;
+  std::unique_ptr<Search> search;
+};
+
+TEST(B4PWorker, StepsCanBeTakenFromOutside) {
+  ompl::msg::noOutputHandler();
+  SteppedSearch stepped(narrowWorld());
+  const auto first = makeWorker(*stepped.search, 1), second = makeWorker(*stepped.search, 2);
+  std::uint64_t steps = 0;
+  constexpr std::uint64_t kMany = 2000000;
+  while (!stepped.search->finished() && steps < kMany) (steps++ % 2 == 0 ? first : second)->step();
+  ASSERT_TRUE(stepped.search->finished());
+  EXPECT_EQ(stepped.statistics.iterations, steps);
+  const auto path = stepped.search->takeSolution();
+  ASSERT_TRUE(path);
+  for (unsigned i = 0; i + 1 < path->getStateCount(); ++i)
+    EXPECT_TRUE(stepped.setup.si->checkMotion(path->getState(i), path->getState(i + 1)));
+}
+
+TEST(B4PWorker, DoesNothingOnceTheSearchHasFinished) {
+  ompl::msg::noOutputHandler();
+  DiscWorld world = narrowWorld();
+  world.walls.clear();
+  SteppedSearch stepped(world);
+  const auto worker = makeWorker(*stepped.search, 1);
+  while (!stepped.search->finished()) worker->step();
+  const auto iterations = stepped.statistics.iterations.load();
+  worker->step();
+  EXPECT_EQ(stepped.statistics.iterations, iterations);
+}
+
+TEST(B4PWorker, EveryKnownGraspGetsForestsThatGrow) {
+  ompl::msg::noOutputHandler();
+  DiscWorld world = narrowWorld();
+  world.walls = wallWithOpening(0.0);
+  SteppedSearch stepped(world);
+  const auto worker = makeWorker(*stepped.search, 1);
+  for (int i = 0; i < 50000; ++i) worker->step();
+  EXPECT_FALSE(stepped.search->finished());
+  for (GraspId grasp = 0; grasp < 8; ++grasp)
+    EXPECT_GT(stepped.search->forestsOf(grasp).nodeCount(), 100u) << "grasp " << grasp;
+}
+
+// The way through the wall is found under any grasp whose object fits; the pick's own grasp may need another end.
+TEST(B4PWorker, TreesOfDifferentGraspsAreJoinedAndRepaired) {
+  ompl::msg::noOutputHandler();
+  for (const bool paper : {false, true}) {
+    std::uint64_t repairs = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      B4PParameters parameters;
+      parameters.paper = paper;
+      DiscWorld world = narrowWorld();
+      world.walls = wallWithOpening(1.1);
+      SteppedSearch stepped(world, parameters);
+      const auto worker = makeWorker(*stepped.search, seed);
+      for (int i = 0; i < 100000 && !stepped.search->finished(); ++i) worker->step();
+      EXPECT_TRUE(stepped.search->finished()) << "seed " << seed;
+      repairs += stepped.statistics.repairs_succeeded;
+    }
+    EXPECT_GT(repairs, 0u) << (paper ? "paper" : "default");
+  }
+}
+
+}  // namespace
+}  // namespace b4p::test

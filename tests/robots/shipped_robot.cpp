@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robots/shipped_robot.h"
+
+#include <yaml-cpp/yaml.h>
+
+namespace b4p {
+
+ManipulatorDescription shippedDescription(const std::string& name) {
+  const YAML::Node file = YAML::LoadFile(std::string(B4P_ROBOTS_FOLDER) + "/" + name + ".yaml");
+  ManipulatorDescription description;
+  description.joints = file["joints"].as<std::vector<std::string>>();
+  description.tcp_link = file["tcp_link"].as<std::string>();
+  description.finger_joints = file["gripper"]["finger_joints"].as<std::vector<std::string>>();
+  description.finger_links = file["gripper"]["finger_links"].as<std::vector<std::string>>();
+  description.max_opening_m = file["gripper"]["max_opening_m"].as<double>();
+  description.skip_self_collision =
+      file["skip_self_collision"].as<std::vector<std::pair<std::string, std::string>>>();
+  return description;
+}
+
+std::shared_ptr<const Manipulator> shippedRobot(const std::string& name, const Eigen::Isometry3d& X_WB) {
+  const YAML::Node file = YAML::LoadFile(std::string(B4P_ROBOTS_FOLDER) + "/" + name + ".yaml");
+  const std::string urdf = std::string(B4P_ROBOTS_FOLDER) + "/" + file["urdf"].as<std::string>();
+  return std::make_shared<const Manipulator>(loadUrdf(urdf), shippedDescription(name), X_WB, name + ".yaml");
+}
+
+Eigen::VectorXd randomConfiguration(const Manipulator& robot, std::mt19937_64& random) {
+  Eigen::VectorXd q(robot.dof());
+  for (int i = 0; i < robot.dof(); ++i)
+    q[i] = std::uniform_real_distribution<double>(robot.lower()[i], robot.upper()[i])(random);
+  return q;
+}
+
+Eigen::Isometry3d unevenPose() {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translate(Eigen::Vector3d(0.4, -0.7, 0.2))
+      .rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 2, -1).normalized()));
+  return X;
+}
+
+}  // namespace b4p
