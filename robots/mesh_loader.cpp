@@ -29,6 +29,9 @@ fs::path packageAt(const fs::path& place, const std::string& name) {
   return isFolder(place / name) ? place / name : fs::path();
 }
 
+/// The path without a slash at its end, which would hide its last name.
+fs::path withoutSlash(const fs::path& path) { return path.has_filename() ? path : path.parent_path(); }
+
 std::vector<fs::path> searchedFolders(const fs::path& folder) {
   std::vector<fs::path> folders;
   for (fs::path place = folder;; place = place.parent_path()) {
@@ -38,7 +41,7 @@ std::vector<fs::path> searchedFolders(const fs::path& folder) {
   if (const char* listed = std::getenv("ROS_PACKAGE_PATH")) {
     std::istringstream entries(listed);
     for (std::string entry; std::getline(entries, entry, ':');)
-      if (!entry.empty()) folders.push_back(fs::path(entry).lexically_normal());
+      if (!entry.empty()) folders.push_back(withoutSlash(fs::path(entry).lexically_normal()));
   }
   return folders;
 }
@@ -62,7 +65,7 @@ bool startsWith(const std::string& text, const std::string& prefix) {
 
 std::string meshFile(const std::string& address, const std::string& folder) {
   static const std::string kPackage = "package://", kFile = "file://";
-  const fs::path base = fs::absolute(folder).lexically_normal();
+  const fs::path base = withoutSlash(fs::absolute(folder.empty() ? "." : folder).lexically_normal());
   fs::path file;
   if (startsWith(address, kPackage))
     file = inPackage(address.substr(kPackage.size()), base);

@@ -44,7 +44,9 @@ def convert(logs: list[Path], database: Path) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("logs", metavar="LOG", type=Path, nargs="+", help="benchmark log that `b4p bench` wrote")
+    parser.add_argument(
+        "logs", metavar="LOG", type=Path, nargs="+", help="benchmark log that `b4p bench` wrote"
+    )
     parser.add_argument("-o", "--out", metavar="DATABASE", type=Path, required=True, help="file to write")
     arguments = parser.parse_args()
     convert(arguments.logs, arguments.out)

@@ -26,9 +26,13 @@ def draw(scene: Scene, result: Result | None, forests: Forests | None, file: Pat
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("input", metavar="RESULT.json|SCENE", help="result of `b4p plan`, or a scene by name or path")
+    parser.add_argument(
+        "input", metavar="RESULT.json|SCENE", help="result of `b4p plan`, or a scene by name or path"
+    )
     parser.add_argument("-o", "--out", metavar="PNG", type=Path, required=True, help="picture to write")
-    parser.add_argument("--forests", metavar="JSON", type=Path, help="`b4p plan --forests` file (planar scenes)")
+    parser.add_argument(
+        "--forests", metavar="JSON", type=Path, help="`b4p plan --forests` file (planar scenes)"
+    )
     arguments = parser.parse_args()
     result = read_result(Path(arguments.input)) if arguments.input.endswith(".json") else None
     name, folder = (result.scene, result.file.parent) if result else (arguments.input, Path())

@@ -5,6 +5,7 @@
 # Usage: scripts/install.sh [--check] [--help]
 #   --check  install nothing; list what is missing and exit with 1 if anything is
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 check_only=no

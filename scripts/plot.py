@@ -16,8 +16,12 @@ from b4p_figures.times import plot_times
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("database", metavar="DATABASE", type=Path, help="SQLite file that scripts/database.py made")
-    parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where the PNG files go")
+    parser.add_argument(
+        "database", metavar="DATABASE", type=Path, help="SQLite file that scripts/database.py made"
+    )
+    parser.add_argument(
+        "-o", "--out", metavar="FOLDER", type=Path, required=True, help="where the PNG files go"
+    )
     arguments = parser.parse_args()
     # Experiments cut short before their first run have nothing to show.
     experiments = [one for one in read_database(arguments.database) if one.planners]

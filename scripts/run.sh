@@ -6,6 +6,7 @@
 #   --no-install  take what is installed
 #   --out FOLDER  where results go (default: out/demo in the source tree)
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install=yes
@@ -24,7 +25,39 @@ while (($#)); do
   shift
 done
 
+mkdir -p "$out"
 [[ $install == no ]] || "$root/scripts/install.sh"
 build_release
-b4p="$root/build/release/b4p"
-mkdir -p "$out"
+cd "$out"
+
+b4p="$root/build/release/experiments/b4p"
+scenes=(maze grocery)
+
+heading "Benchmark experiments/demo.yaml"
+"$b4p" bench "$root/experiments/demo.yaml" --out "$out"
+
+heading "Database and plots"
+"$python" "$root/scripts/database.py" "${scenes[@]/%/.log}" -o demo.db
+"$python" "$root/scripts/plot.py" demo.db -o plots
+
+# A scene that stays unsolved within its budget is drawn all the same, and makes this script end with 1.
+unsolved=()
+for scene in "${scenes[@]}"; do
+  heading "One solution of $scene, verified and drawn"
+  "$b4p" plan "$scene" --planner b4p --seed 1 --threads 2 --out "$scene.json" --forests "${scene}_forests.json" ||
+    (($? == 1)) || fail "planning $scene failed"
+  "$b4p" verify "$scene.json" || (($? == 1)) || fail "$scene.json fails its verification"
+  grep -q '"solved": true' "$scene.json" || unsolved+=("$scene")
+  "$python" "$root/scripts/draw.py" "$scene.json" --forests "${scene}_forests.json" -o "$scene.png"
+  "$python" "$root/scripts/draw.py" "$scene" -o "${scene}_scene.png"
+done
+
+heading "Done: look at"
+cat <<END
+  $out/summary.md     solved, verified and times of every planner
+  $out/plots/         overview.png, success.png, times.png, progress.png
+  $out/maze.png       a solution of the maze and the trees that found it
+  $out/grocery.png    a solution of the grocery shelf
+  $out/demo.db        all runs, for Planner Arena and one's own queries
+END
+((${#unsolved[@]} == 0)) || fail "unsolved within the budget: ${unsolved[*]}"

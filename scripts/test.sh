@@ -4,6 +4,7 @@
 # Usage: scripts/test.sh [--no-install] [--help]
 #   --no-install  take what is installed
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install=yes

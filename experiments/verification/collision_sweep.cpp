@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "experiments/verification/separation.h"
@@ -19,32 +20,46 @@ int requireLink(const Scene& scene, const UrdfTree& tree, const std::string& nam
   return link;
 }
 
-/// For each link the first link, from the root, of the rigid group it belongs to.
+/// For each link the first link, from the root, of those that it is fixed to.
 std::vector<int> rigidGroups(const UrdfTree& tree) {
   std::vector<int> group(tree.links.size());
   for (const int link : tree.root_first) {
-    const int joint = tree.links[static_cast<std::size_t>(link)].parent_joint;
-    const bool rigid =
-        joint >= 0 && tree.joints[static_cast<std::size_t>(joint)].type == UrdfJointType::kFixed;
-    group[static_cast<std::size_t>(link)] =
-        rigid ? group[static_cast<std::size_t>(tree.joints[static_cast<std::size_t>(joint)].parent_link)]
-              : link;
+    const int index = tree.links[static_cast<std::size_t>(link)].parent_joint;
+    group[static_cast<std::size_t>(link)] = link;
+    if (index < 0) continue;
+    const UrdfJoint& joint = tree.joints[static_cast<std::size_t>(index)];
+    if (joint.type == UrdfJointType::kFixed)
+      group[static_cast<std::size_t>(link)] = group[static_cast<std::size_t>(joint.parent_link)];
   }
   return group;
 }
 
-/// Pairs of links whose contact says nothing: rigidly joined, joined by one joint, or listed by the robot
-/// file.
-std::vector<std::pair<int, int>> skippedPairs(const Scene& scene, const UrdfTree& tree) {
-  std::vector<std::pair<int, int>> skipped;
-  for (const UrdfJoint& joint : tree.joints) skipped.emplace_back(joint.parent_link, joint.child_link);
-  for (const auto& [a, b] : scene.robot.description.skip_self_collision)
-    skipped.emplace_back(requireLink(scene, tree, a), requireLink(scene, tree, b));
+/// Whether exactly the same planned joints carry two links: no path moves one against the other.
+bool movedAlike(const Kinematics& robot, int a, int b) {
+  constexpr double kAnyRadius_m = 1.0;
+  return ((robot.motionPerUnit(a, kAnyRadius_m).array() > 0.0) ==
+          (robot.motionPerUnit(b, kAnyRadius_m).array() > 0.0))
+      .all();
+}
+
+/// Pairs of links whose contact is none: moved alike, joined by one joint with whatever is fixed to either,
+/// or listed in the robot file.
+std::set<std::pair<int, int>> skippedPairs(const Scene& scene, const Kinematics& robot) {
+  const UrdfTree& tree = robot.tree();
   const std::vector<int> group = rigidGroups(tree);
+  std::set<std::pair<int, int>> joined, skipped;
+  for (const UrdfJoint& joint : tree.joints)
+    joined.emplace(group[static_cast<std::size_t>(joint.parent_link)],
+                   group[static_cast<std::size_t>(joint.child_link)]);
   for (int a = 0; a < static_cast<int>(group.size()); ++a)
-    for (int b = 0; b < a; ++b)
-      if (group[static_cast<std::size_t>(a)] == group[static_cast<std::size_t>(b)])
-        skipped.emplace_back(a, b);
+    for (int b = 0; b < static_cast<int>(group.size()); ++b)
+      if (movedAlike(robot, a, b) ||
+          joined.count({group[static_cast<std::size_t>(a)], group[static_cast<std::size_t>(b)]}) > 0)
+        skipped.insert({std::min(a, b), std::max(a, b)});
+  for (const auto& [name_a, name_b] : scene.robot.description.skip_self_collision) {
+    const int a = requireLink(scene, tree, name_a), b = requireLink(scene, tree, name_b);
+    skipped.insert({std::min(a, b), std::max(a, b)});
+  }
   return skipped;
 }
 
@@ -80,28 +95,20 @@ void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
             {ConvexBody::of(obstacle.shape.shape), obstacle.shape.X_BS});
 }
 
-bool CollisionSweep::mayTouch(const Body& a, const Body& b, const std::vector<std::pair<int, int>>& skipped,
-                              const std::vector<int>& fingers) {
-  if (a.held && b.held) return true;
-  if (a.link == kWorld || b.link == kWorld) return a.link == b.link;
-  const auto isFinger = [&fingers](int link) {
-    return std::find(fingers.begin(), fingers.end(), link) != fingers.end();
-  };
-  if (a.held || b.held) return isFinger(a.held ? b.link : a.link);
-  return a.link == b.link || std::any_of(skipped.begin(), skipped.end(), [&](const auto& pair) {
-           return pair == std::make_pair(a.link, b.link) || pair == std::make_pair(b.link, a.link);
-         });
-}
-
 void CollisionSweep::addPairs(const Scene& scene) {
-  const auto skipped = skippedPairs(scene, robot_.tree());
-  std::vector<int> fingers;
+  const std::set<std::pair<int, int>> skipped = skippedPairs(scene, robot_);
+  std::set<int> fingers;
   for (const std::string& name : scene.robot.description.finger_links)
-    fingers.push_back(requireLink(scene, robot_.tree(), name));
+    fingers.insert(requireLink(scene, robot_.tree(), name));
+  const auto mayTouch = [&](const Body& a, const Body& b) {
+    if (a.held && b.held) return true;
+    if (a.link == kWorld || b.link == kWorld) return a.motion_per_unit.isZero() && b.motion_per_unit.isZero();
+    if (a.held || b.held) return fingers.count(a.held ? b.link : a.link) > 0;
+    return skipped.count({std::min(a.link, b.link), std::max(a.link, b.link)}) > 0;
+  };
   for (int a = 0; a < static_cast<int>(bodies_.size()); ++a)
     for (int b = a + 1; b < static_cast<int>(bodies_.size()); ++b)
-      if (!mayTouch(bodies_[static_cast<std::size_t>(a)], bodies_[static_cast<std::size_t>(b)], skipped,
-                    fingers))
+      if (!mayTouch(bodies_[static_cast<std::size_t>(a)], bodies_[static_cast<std::size_t>(b)]))
         pairs_.push_back({a, b, 0.0, 0.0, Eigen::Vector3d::UnitX()});
 }
 

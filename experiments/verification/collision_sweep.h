@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -63,8 +62,6 @@ class CollisionSweep {
   void addBodies(const Scene& scene, const Grasp& grasp);
   void addPairs(const Scene& scene);
   void addBody(std::string name, int link, bool held, const PlacedBody& placed);
-  static bool mayTouch(const Body& a, const Body& b, const std::vector<std::pair<int, int>>& skipped,
-                       const std::vector<int>& fingers);
   double prepareEdge(const Eigen::VectorXd& change);
   void moveTo(const Eigen::VectorXd& q);
   bool measure(Pair& pair, double sample, double count);

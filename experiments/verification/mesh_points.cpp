@@ -7,6 +7,7 @@
 #include <sstream>
 #include <tuple>
 
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
@@ -73,6 +74,7 @@ std::vector<Eigen::Vector3d> readMeshPoints(const std::string& reference, const 
   const fs::path path = resolve(reference, urdf_file);
   if (path.empty()) throw InputError(urdf_file, element, "mesh '" + reference + "' does not exist");
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // URDF's convention
   const aiScene* scene = importer.ReadFile(path.string(), aiProcess_PreTransformVertices);
   std::vector<Eigen::Vector3d> points;
   for (unsigned m = 0; scene != nullptr && m < scene->mNumMeshes; ++m)

@@ -132,6 +132,7 @@ std::string placementProblem(const Scene& scene, const Isometry3d& X_WO) {
 bool namesScene(const std::string& name_or_path, const Scene& scene) {
   std::error_code error;
   return name_or_path == scene.name || name_or_path == scene.file ||
+         name_or_path == std::filesystem::path(scene.file).stem() ||
          std::filesystem::equivalent(name_or_path, scene.file, error);
 }
 

@@ -13,9 +13,11 @@ namespace b4p {
 /// - the grasp is one that holds the object; the object is at the start pose at the first way-point (1 mm,
 /// 0.2 degrees), at rest
 ///   in the placement region at the last one, and the poses stated in the result agree;
-/// - along every edge nothing touches: robot against obstacles, links against each other (except those
-///   joined by one joint or rigidly, and the robot file's pairs), held object against obstacles and links
-///   (except fingers). Shapes are bare, without padding.
+/// - along every edge nothing touches: moving links against obstacles, links against each other (except those
+/// that no
+///   planned joint moves against each other, those joined by one joint with whatever is fixed to them, and
+///   the robot file's pairs), held object against obstacles and links (except fingers). Shapes are bare,
+///   without padding.
 ///
 /// Every edge is divided so finely that no point of robot or object moves more than `edge_step_m` / 10
 /// between two samples. At every sample each pair of bodies is either measured, or known to be apart since

@@ -5,49 +5,53 @@
 
 namespace b4p {
 
-Schedule::Schedule() { push(Turn{}); }
-
 void Schedule::push(Turn turn) {
   turn.order = orders_++;
   queue_.push(turn);
 }
 
 void Schedule::add(ForestPair* forests) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  all_.push_back(forests);
+  const std::lock_guard<std::mutex> lock(mutex_);
   Turn turn;
   turn.forests = forests;
-  turn.born = turn.due = now_;
+  turn.born = all_.size() + 1;
+  all_.push_back(forests);
   push(turn);
 }
 
+bool Schedule::timeToDraw() const {
+  const bool some_due = !queue_.empty() && queue_.top().due() <= all_.size();
+  return !some_due && turns_since_drawing_ >= pause_;
+}
+
 Schedule::Turn Schedule::take() {
-  std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (all_.empty() || timeToDraw()) {
+    turns_since_drawing_ = 0;
+    return Turn{};
+  }
+  ++turns_since_drawing_;
   if (queue_.empty()) {
     Turn turn;
     turn.shared = true;
-    if (!all_.empty()) turn.forests = all_[lent_++ % all_.size()];
+    turn.forests = all_[shared_++ % all_.size()];
     return turn;
   }
   const Turn turn = queue_.top();
   queue_.pop();
-  now_ = std::max(now_, turn.due);
   return turn;
 }
 
 void Schedule::giveBack(const Turn& turn, bool fruitful) {
-  if (turn.shared) return;
-  std::lock_guard<std::mutex> lock(mutex_);
-  Turn next = turn;
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (turn.forests == nullptr) {
-    constexpr std::uint64_t kLongestPause = 64;
-    drawing_pause_ = fruitful ? 1 : std::min(kLongestPause, 2 * drawing_pause_);
-    next.due = now_ + drawing_pause_;
-  } else {
-    next.age = turn.age == 0 ? 1 : 2 * turn.age;
-    next.due = std::max(now_, turn.born + next.age);
+    constexpr std::uint64_t kLongestPause = 64;  // in turns of each pair
+    pause_ = fruitful ? 1 : std::min(2 * pause_ + 1, kLongestPause * (all_.size() + 1));
+  } else if (!turn.shared) {
+    Turn next = turn;
+    next.age = turn.age == 0 ? 1 : std::min(2 * turn.age, Turn::kOldest);
+    push(next);
   }
-  push(next);
 }
 
 }  // namespace b4p

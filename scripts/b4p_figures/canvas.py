@@ -169,7 +169,9 @@ class Canvas:
         output = grabber.GetOutput()
         width, height, _ = output.GetDimensions()
         pixels = vtk_to_numpy(output.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3]
-        fine = pixels.reshape(height // SUPERSAMPLING, SUPERSAMPLING, width // SUPERSAMPLING, SUPERSAMPLING, 3)
+        fine = pixels.reshape(
+            height // SUPERSAMPLING, SUPERSAMPLING, width // SUPERSAMPLING, SUPERSAMPLING, 3
+        )
         return fine.mean(axis=(1, 3)) / 255.0
 
 

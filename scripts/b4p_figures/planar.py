@@ -105,13 +105,23 @@ def _draw_snapshot(axes: Axes, scene: Scene, motion: Motion, moment: int) -> Non
     color = GRADIENT(moment / (SNAPSHOTS - 1))
     robot = outlines(robot_points(scene, motion, moment))
     held = outlines(object_points(scene, motion.object[moment]))
-    axes.add_collection(PolyCollection(robot, facecolors=(*color[:3], 0.06), edgecolors=(*color[:3], 0.5), linewidths=0.6, zorder=4))
-    axes.add_collection(PolyCollection(held, facecolors=(*color[:3], 0.22), edgecolors=(*color[:3], 0.5), linewidths=0.4, zorder=5))
+    axes.add_collection(
+        PolyCollection(
+            robot, facecolors=(*color[:3], 0.06), edgecolors=(*color[:3], 0.5), linewidths=0.6, zorder=4
+        )
+    )
+    axes.add_collection(
+        PolyCollection(
+            held, facecolors=(*color[:3], 0.22), edgecolors=(*color[:3], 0.5), linewidths=0.4, zorder=5
+        )
+    )
 
 
 def _draw_object(axes: Axes, scene: Scene, X_WO: np.ndarray, color: str, label: str) -> list[Patch]:
     pieces = outlines(object_points(scene, X_WO))
-    axes.add_collection(PolyCollection(pieces, facecolors=color, edgecolors="black", linewidths=0.8, zorder=8))
+    axes.add_collection(
+        PolyCollection(pieces, facecolors=color, edgecolors="black", linewidths=0.8, zorder=8)
+    )
     return [Patch(color=color, label=label)]
 
 

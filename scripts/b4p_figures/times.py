@@ -34,7 +34,9 @@ def _draw_planner(axes: Axes, position: int, planner: Planner, color: str, budge
     times = planner.solved_times_s
     unsolved = len(planner.runs) - len(times)
     axes.scatter(_columns(position, len(times)), times, s=16, color=color, alpha=0.8, linewidths=0)
-    axes.scatter(_columns(position, unsolved), [budget_s] * unsolved, s=22, color=color, marker="x", linewidths=1.2)
+    axes.scatter(
+        _columns(position, unsolved), [budget_s] * unsolved, s=22, color=color, marker="x", linewidths=1.2
+    )
     if times:
         low, median, high = np.percentile(times, (25, 50, 75))
         ends = (position - BAR_HALF_WIDTH, position + BAR_HALF_WIDTH)

@@ -99,7 +99,9 @@ def _read_run(row: dict[str, float | str | None]) -> Run:
 
 
 def _read_progress(connection: sqlite3.Connection) -> dict[int, dict[str, Series]]:
-    exists = connection.execute("SELECT 1 FROM sqlite_master WHERE type='table' AND name='progress'").fetchone()
+    exists = connection.execute(
+        "SELECT 1 FROM sqlite_master WHERE type='table' AND name='progress'"
+    ).fetchone()
     if not exists:
         return {}
     progress: dict[int, dict[str, Series]] = {}

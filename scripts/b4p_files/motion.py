@@ -39,7 +39,9 @@ def rest(scene: Scene) -> Motion:
     return Motion(links, links[scene.robot.tcp_link], scene.X_WO_start[None])
 
 
-def robot_points(scene: Scene, motion: Motion, moment: int, unless_as_at: int | None = None) -> list[np.ndarray]:
+def robot_points(
+    scene: Scene, motion: Motion, moment: int, unless_as_at: int | None = None
+) -> list[np.ndarray]:
     """Points in the world whose convex hulls are the robot's solids; without links that are where they are at the
     moment `unless_as_at`."""
     solids = []
@@ -64,4 +66,6 @@ def motion_title(scene: Scene, result: Result | None) -> str:
     threads = f"{result.threads} thread{'s' * (result.threads != 1)}"
     verdict = "verified" if result.verified else "not verified"
     outcome = f"{result.status} in {result.planning_time_s:.3g} s, {verdict}"
-    return f"{scene.name}: {result.planner}, seed {result.seed}, {threads}\n{outcome}, grasp {result.grasp_id}"
+    return (
+        f"{scene.name}: {result.planner}, seed {result.seed}, {threads}\n{outcome}, grasp {result.grasp_id}"
+    )

@@ -112,24 +112,29 @@ TEST(B4PWorker, EveryKnownGraspGetsForestsThatGrow) {
     EXPECT_GT(stepped.search->forestsOf(grasp).nodeCount(), 100u) << "grasp " << grasp;
 }
 
-// The way through the wall is found under any grasp whose object fits; the pick's own grasp may need another end.
+// Repairs per solved query over twenty seeds; the search itself is deterministic.
+std::uint64_t repairsThatSucceeded(bool paper, double opening) {
+  ompl::RNG::setSeed(1);
+  std::uint64_t repairs = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    B4PParameters parameters;
+    parameters.paper = paper;
+    DiscWorld world = narrowWorld();
+    world.walls = wallWithOpening(opening);
+    SteppedSearch stepped(world, parameters);
+    const auto worker = makeWorker(*stepped.search, seed);
+    constexpr int kMany = 1000000;
+    for (int i = 0; i < kMany && !stepped.search->finished(); ++i) worker->step();
+    EXPECT_TRUE(stepped.search->finished()) << "seed " << seed;
+    repairs += stepped.statistics.repairs_succeeded;
+  }
+  return repairs;
+}
+
 TEST(B4PWorker, TreesOfDifferentGraspsAreJoinedAndRepaired) {
   ompl::msg::noOutputHandler();
-  for (const bool paper : {false, true}) {
-    std::uint64_t repairs = 0;
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      B4PParameters parameters;
-      parameters.paper = paper;
-      DiscWorld world = narrowWorld();
-      world.walls = wallWithOpening(1.1);
-      SteppedSearch stepped(world, parameters);
-      const auto worker = makeWorker(*stepped.search, seed);
-      for (int i = 0; i < 100000 && !stepped.search->finished(); ++i) worker->step();
-      EXPECT_TRUE(stepped.search->finished()) << "seed " << seed;
-      repairs += stepped.statistics.repairs_succeeded;
-    }
-    EXPECT_GT(repairs, 0u) << (paper ? "paper" : "default");
-  }
+  EXPECT_GT(repairsThatSucceeded(true, 1.1), 0u) << "paper";
+  EXPECT_GT(repairsThatSucceeded(false, 0.56), 0u) << "default";
 }
 
 }  // namespace

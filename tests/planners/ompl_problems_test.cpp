@@ -223,7 +223,7 @@ TEST_P(OmplProblem, CarThatCannotGoSideways) {
   start->setXY(1.0, 1.0);
   start->setYaw(0.0);
   goal->setXY(5.0, 1.0);
-  goal->setYaw(kPi);
+  goal->setYaw(-kPi);
   setup.setStartAndGoalStates(start, goal);
   expectSolved(setup);
 }

@@ -45,37 +45,50 @@ TEST_F(Served, EveryForestAgainAndAgainWhileNewOnesKeepComing) {
   EXPECT_GE(turns[forests[0].get()], turns[forests[forests.size() / 2].get()]);
 }
 
+TEST_F(Served, FewForestsEquallyOftenForEver) {
+  for (int i = 0; i < 5; ++i) schedule.add(newForests());
+  std::map<ForestPair*, int> turns;
+  constexpr int kTurns = 20000;
+  for (int i = 0; i < kTurns; ++i) {
+    const Schedule::Turn turn = schedule.take();
+    ++turns[turn.forests];
+    schedule.giveBack(turn, false);
+  }
+  for (const auto& pair : forests) EXPECT_NEAR(turns[pair.get()], kTurns / 5, kTurns / 50);
+}
+
 TEST_F(Served, FruitlessDrawingBecomesRarerButNeverStops) {
   schedule.add(newForests());
-  int draws = 0, late_draws = 0;
+  int late_draws = 0;
   constexpr int kTurns = 4000;
   for (int i = 0; i < kTurns; ++i) {
     const Schedule::Turn turn = schedule.take();
-    if (turn.forests == nullptr) {
-      ++draws;
-      if (i > kTurns / 2) ++late_draws;
-    }
+    if (turn.forests == nullptr && i > kTurns / 2) ++late_draws;
     schedule.giveBack(turn, false);
   }
   EXPECT_GT(late_draws, 0);
+  EXPECT_LT(late_draws, kTurns / 20);
 }
 
 TEST_F(Served, ForestsAreLentOnceWhileOthersWait) {
   for (int i = 0; i < 4; ++i) schedule.add(newForests());
   std::set<ForestPair*> lent;
-  for (int i = 0; i < 5; ++i) lent.insert(schedule.take().forests);  // four forests and the drawing of roots
-  EXPECT_EQ(lent.size(), 5u);
+  for (int i = 0; i < 4; ++i) lent.insert(schedule.take().forests);
+  EXPECT_EQ(lent.size(), 4u);
+  EXPECT_EQ(lent.count(nullptr), 0u);
 }
 
 TEST_F(Served, IdleWorkersShareWhatIsLent) {
   schedule.add(newForests());
-  schedule.take();
-  schedule.take();
+  schedule.take();  // the forests
+  const Schedule::Turn drawing = schedule.take();
+  EXPECT_EQ(drawing.forests, nullptr);
+  schedule.giveBack(drawing, false);
   const Schedule::Turn turn = schedule.take();
   EXPECT_TRUE(turn.shared);
   EXPECT_EQ(turn.forests, forests.front().get());
-  schedule.giveBack(turn, false);  // adds no turn that was not there
-  EXPECT_TRUE(schedule.take().shared);
+  schedule.giveBack(turn, false);
+  EXPECT_EQ(schedule.take().forests, nullptr);  // what was shared has not become a turn of its own
 }
 
 }  // namespace

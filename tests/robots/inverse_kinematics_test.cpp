@@ -103,7 +103,7 @@ TEST_P(InverseKinematicsConformance, NonFiniteTargetOrSeedIsNotSolved) {
   std::mt19937_64 random(4);
   Eigen::VectorXd q;
   for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
-    for (const auto [row, column] : {std::pair(0, 3), std::pair(1, 1)}) {
+    for (const auto& [row, column] : {std::pair(0, 3), std::pair(1, 1)}) {
       Eigen::Isometry3d X_WT = targets_.front();
       X_WT.matrix()(row, column) = bad;
       EXPECT_FALSE(ik->solveFrom(X_WT, middle(), q));

@@ -199,7 +199,7 @@ TEST_F(BadMesh, EmptyOrGarbage) {
   folder_.write("empty.stl", "");
   folder_.write("garbage.obj", "this is no mesh");
   folder_.write("half.STL", binaryStl().substr(0, 150));
-  folder_.write("unknown.xyz", obj());
+  folder_.write("unknown.xyz", "0 0 0");
   for (const char* name : {"empty.stl", "garbage.obj", "half.STL", "unknown.xyz"})
     EXPECT_THAT(problem(name), HasSubstr(std::string("mesh '") + name + "': holds no mesh")) << name;
 }

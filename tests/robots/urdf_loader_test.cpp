@@ -120,9 +120,10 @@ TEST_F(UrdfLoader, CollisionShapesAreLoadedAndVisualsAreNot) {
 }
 
 TEST_F(UrdfLoader, PrintsNothingEvenWhenUrdfdomComplains) {
-  // Only urdfdom looks at inertias.
-  const std::string refused = folder_.write("refused.urdf", R"(<robot name="r"><link name="a"><inertial>
-    <mass value="heavy"/><inertia ixx="x"/></inertial></link></robot>)");
+  // Only urdfdom looks at safety controllers.
+  const std::string refused =
+      folder_.write("refused.urdf", R"(<robot name="r"><link name="a"/><link name="b"/>
+    <joint name="j" type="fixed"><parent link="a"/><child link="b"/><safety_controller/></joint></robot>)");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   std::string problem;

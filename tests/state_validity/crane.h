@@ -19,9 +19,9 @@ inline PlacedShape placedAt(Shape shape, const Eigen::Vector3d& position) {
   return {std::move(shape), Eigen::Isometry3d(Eigen::Translation3d(position))};
 }
 
-/// A robot that puts one shape wherever a test wants it: q = (x, y, z, yaw) is the pose of its link "tool". Links:
-/// base -x-> rail -y-> bridge -z-> column -yaw-> tool, and tool -> left, right (fingers that open along y, up to 0.2 m).
-/// Travels 3 m each way and turns by pi. The TCP is the tool's origin.
+/// A robot that puts one shape wherever a test wants it: q = (x, y, z, yaw) is the pose of its link "tool".
+/// Links: base -x-> rail -y-> bridge -z-> column -yaw-> tool, and tool -> left, right (fingers that open
+/// along y, up to 0.2 m). Travels 3 m each way and turns by pi. The TCP is the tool's origin.
 class Crane {
  public:
   Crane() {
@@ -51,7 +51,8 @@ class Crane {
   }
 
   std::shared_ptr<const Manipulator> build() const {
-    return std::make_shared<const Manipulator>(model_, description_, Eigen::Isometry3d::Identity(), "crane.h");
+    return std::make_shared<const Manipulator>(model_, description_, Eigen::Isometry3d::Identity(),
+                                               "crane.h");
   }
 
   static constexpr double kReach_m = 3.0;

@@ -21,7 +21,8 @@ inline std::shared_ptr<const Manipulator> panda() {
     description.finger_links = {"panda_leftfinger", "panda_rightfinger"};
     description.max_opening_m = 0.08;
     const auto skip = [&description](const std::string& a, std::initializer_list<const char*> others) {
-      for (const char* b : others) description.skip_self_collision.emplace_back("panda_" + a, std::string("panda_") + b);
+      for (const char* b : others)
+        description.skip_self_collision.emplace_back("panda_" + a, std::string("panda_") + b);
     };
     skip("link0", {"link2", "link3", "link4"});
     skip("link1", {"link3", "link4"});
@@ -29,7 +30,8 @@ inline std::shared_ptr<const Manipulator> panda() {
     skip("link3", {"link5", "link6", "link7"});
     skip("link5", {"link7"});
     skip("hand", {"link3", "link4", "link5", "link6"});
-    for (const char* finger : {"leftfinger", "rightfinger"}) skip(finger, {"link3", "link4", "link6", "link7"});
+    for (const char* finger : {"leftfinger", "rightfinger"})
+      skip(finger, {"link3", "link4", "link6", "link7"});
     return std::make_shared<const Manipulator>(loadUrdf(B4P_ROBOTS_DIR "/urdf/panda.urdf"), description,
                                                Eigen::Isometry3d::Identity(), "panda.h");
   }();
@@ -41,7 +43,8 @@ using PandaConfiguration = std::array<double, 7>;
 inline PandaConfiguration randomPanda(std::mt19937_64& random) {
   PandaConfiguration q;
   for (int i = 0; i < 7; ++i)
-    q[static_cast<std::size_t>(i)] = std::uniform_real_distribution<>(panda()->lower()[i], panda()->upper()[i])(random);
+    q[static_cast<std::size_t>(i)] =
+        std::uniform_real_distribution<>(panda()->lower()[i], panda()->upper()[i])(random);
   return q;
 }
 
@@ -52,7 +55,8 @@ inline std::vector<Obstacle> clutter(int count, std::mt19937_64& random) {
   for (int i = 0; i < count; ++i) {
     PlacedShape box{Box{{side(random), side(random), side(random)}}, Eigen::Isometry3d::Identity()};
     const double around = angle(random), away = distance(random);
-    box.X_BS.translation() = Eigen::Vector3d(away * std::cos(around), away * std::sin(around), height(random));
+    box.X_BS.translation() =
+        Eigen::Vector3d(away * std::cos(around), away * std::sin(around), height(random));
     obstacles.push_back({"box" + std::to_string(i), box});
   }
   return obstacles;
@@ -66,7 +70,8 @@ inline CollisionProblem pandaProblem(int boxes, std::uint64_t seed) {
 
 inline Grasp pandaGrasp() {
   Grasp grasp;
-  grasp.X_OT = Eigen::Translation3d(0.0, 0.0, 0.04) * Eigen::AngleAxisd(3.141592653589793, Eigen::Vector3d::UnitX());
+  grasp.X_OT =
+      Eigen::Translation3d(0.0, 0.0, 0.04) * Eigen::AngleAxisd(3.141592653589793, Eigen::Vector3d::UnitX());
   grasp.opening_m = 0.062;
   return grasp;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises of every checker about single configurations: obstacles of every shape are solid and have their true
-// size, padding is as stated, the held object counts, fingers excepted, limits hold, bad input is refused.
+// Promises of every checker about single configurations: obstacles of every shape are solid and have their
+// true size, padding is as stated, the held object counts, fingers excepted, limits hold, bad input is
+// refused.
 #include <cmath>
 #include <limits>
 
@@ -38,7 +39,8 @@ TEST_P(StateConformance, ProbeWhollyInsideAnObstacleCollides) {
     EXPECT_FALSE(context->isFree(centre.data(), nullptr)) << target.name;
     for (int i = 0; i < 200; ++i) {
       const CraneConfiguration q = randomCrane(random, 0.05);
-      EXPECT_FALSE(context->isFree(q.data(), nullptr)) << target.name << " " << q[0] << " " << q[1] << " " << q[2];
+      EXPECT_FALSE(context->isFree(q.data(), nullptr))
+          << target.name << " " << q[0] << " " << q[1] << " " << q[2];
     }
   }
 }
@@ -64,7 +66,8 @@ TEST_P(StateConformance, EveryPairOfShapesHasItsTrueSizePlusPadding) {
         const CraneConfiguration outside{side * (touch + kHair_m), 0.0, 0.0, 0.0};
         const CraneConfiguration inside{side * (touch - kHair_m), 0.0, 0.0, 0.0};
         EXPECT_TRUE(context->isFree(outside.data(), nullptr)) << probe.name << " beside " << target.name;
-        EXPECT_FALSE(context->isFree(inside.data(), nullptr)) << probe.name << " in padding of " << target.name;
+        EXPECT_FALSE(context->isFree(inside.data(), nullptr))
+            << probe.name << " in padding of " << target.name;
       }
     }
 }
@@ -161,7 +164,8 @@ TEST_P(StateConformance, FingersOpenAsTheGraspSaysAndFullyWithoutOne) {
                            kStep_m};
   const auto context = makeContext(problem);
   const CraneConfiguration q{};
-  const Grasp closed = graspWithObjectAt({0.0, 0.0, 0.0}, 0.0), open = graspWithObjectAt({0.0, 0.0, 0.0}, 0.2);
+  const Grasp closed = graspWithObjectAt({0.0, 0.0, 0.0}, 0.0),
+              open = graspWithObjectAt({0.0, 0.0, 0.0}, 0.2);
   EXPECT_TRUE(context->isFree(q.data(), &closed));
   EXPECT_FALSE(context->isFree(q.data(), &open));
   EXPECT_FALSE(context->isFree(q.data(), nullptr));
@@ -176,12 +180,14 @@ TEST_P(StateConformance, LinksCollideUnlessJoinedOrAllowed) {
   EXPECT_EQ(describe(Crane().with("column", ball).with("tool", ball)), "") << "joined by one joint";
   EXPECT_EQ(describe(Crane().with("bridge", ball).with("tool", ball)), "tool, bridge");
   EXPECT_EQ(describe(Crane().with("bridge", ball).with("tool", ball).allow("bridge", "tool")), "");
-  EXPECT_EQ(describe(Crane().with("base", ball).with("tool", ball)), "tool, base") << "with a link that stands still";
+  EXPECT_EQ(describe(Crane().with("base", ball).with("tool", ball)), "tool, base")
+      << "with a link that stands still";
 }
 
 TEST_P(StateConformance, OutsideTheJointLimitsIsNotFree) {
   const auto context = makeContext(probeProblem(Sphere{0.1}, obstacle(Sphere{0.1})));
-  const CraneConfiguration inside{Crane::kReach_m, 0.0, 0.0, 0.0}, outside{Crane::kReach_m + 1e-9, 0.0, 0.0, 0.0};
+  const CraneConfiguration inside{Crane::kReach_m, 0.0, 0.0, 0.0},
+      outside{Crane::kReach_m + 1e-9, 0.0, 0.0, 0.0};
   EXPECT_TRUE(context->isFree(inside.data(), nullptr));
   EXPECT_FALSE(context->isFree(outside.data(), nullptr));
   EXPECT_NE(context->describeCollision(outside.data(), nullptr), "");
@@ -202,7 +208,8 @@ TEST_P(StateConformance, NonFiniteInputThrows) {
     EXPECT_THROW(context->freeFraction(good.data(), q, held), std::invalid_argument);
     EXPECT_THROW(context->describeCollision(q, held), std::invalid_argument);
   };
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     for (std::size_t i = 0; i < good.size(); ++i) {
       CraneConfiguration q = good;
       q[i] = bad;
@@ -219,7 +226,8 @@ TEST_P(StateConformance, NonFiniteInputThrows) {
 }
 
 TEST_P(StateConformance, DescribeCollisionNamesThePair) {
-  const auto context = makeContext(probeProblem(Sphere{0.1}, {"shelf", placedAt(Sphere{0.1}, {1.0, 0.0, 0.0})}));
+  const auto context =
+      makeContext(probeProblem(Sphere{0.1}, {"shelf", placedAt(Sphere{0.1}, {1.0, 0.0, 0.0})}));
   const CraneConfiguration colliding{1.0, 0.0, 0.0, 0.0}, free{};
   EXPECT_EQ(context->describeCollision(colliding.data(), nullptr), "tool, shelf");
   EXPECT_EQ(context->describeCollision(free.data(), nullptr), "");
@@ -256,7 +264,8 @@ TEST_P(StateConformance, BadProblemsAreRefused) {
 }
 
 TEST_P(StateConformance, AnObstacleInTheRobotsFootIsRefused) {
-  const auto robot = Crane().with("base", Sphere{0.1}).with("tool", placedAt(Sphere{0.1}, {0.0, 0.0, 1.0})).build();
+  const auto robot =
+      Crane().with("base", Sphere{0.1}).with("tool", placedAt(Sphere{0.1}, {0.0, 0.0, 1.0})).build();
   const CollisionProblem apart{robot, {obstacle(Sphere{0.1}, {0.2 + kHair_m, 0.0, 0.0})}, {}, kStep_m};
   EXPECT_NO_THROW(make(apart)) << "what stands still needs no padding";
   const CollisionProblem into{robot, {obstacle(Sphere{0.1}, {0.2 - kHair_m, 0.0, 0.0})}, {}, kStep_m};

@@ -111,5 +111,72 @@ TEST_F(CollisionSweepTest, NothingToTouchMeansNoClearance) {
   EXPECT_EQ(sweep.clearance_m(), 0.0);
 }
 
+/// Balls on a line, each larger than its distance from the next: a and b turn against each other, b and c are
+/// fixed, c and d turn, e hangs on a by a joint that is never moved.
+class LinkPairsTest : public testing::Test {
+ protected:
+  LinkPairsTest() {
+    std::string xml = "<robot name='balls'>";
+    for (const char* link : {"a", "b", "c", "d", "e"})
+      xml += "<link name='" + std::string(link) +
+             "'><collision><geometry><sphere radius='.1'/></geometry></collision></link>";
+    const auto joint = [&](const char* type, const std::string& parent, const std::string& child, double x) {
+      xml += "<joint name='" + parent + child + "' type='" + type + "'><parent link='" + parent +
+             "'/><child link='" + child + "'/><origin xyz='" + std::to_string(x) +
+             " 0 0'/><limit lower='-1' upper='1'/></joint>";
+    };
+    joint("revolute", "a", "b", 0.15);
+    joint("fixed", "b", "c", 0.15);
+    joint("revolute", "c", "d", 0.15);
+    joint("revolute", "a", "e", -0.15);
+    scene_.robot.urdf_file = test::writeFile("balls.urdf", xml + "</robot>");
+    scene_.robot.description.joints = {"ab", "cd"};
+    scene_.robot.description.tcp_link = "d";
+  }
+
+  /// What touches with all joints at zero, "" when nothing does.
+  std::string contact() {
+    const Kinematics robot(scene_.robot.urdf_file, scene_.robot.description, scene_.X_WB);
+    CollisionSweep sweep(scene_, robot, {}, kStep_m);
+    const Eigen::VectorXd q = Eigen::VectorXd::Zero(2);
+    const auto found = sweep.firstContact(q, q);
+    return found ? found->first + ", " + found->second : "";
+  }
+
+  Scene scene_;
+};
+
+TEST_F(LinkPairsTest, NeighboursAndLinksThatNoPathMovesApartAreNotCompared) { EXPECT_EQ(contact(), ""); }
+
+TEST_F(LinkPairsTest, OtherLinksAre) {
+  // d reaches past b to a, through which no joint leads directly.
+  scene_.robot.urdf_file = test::writeFile(
+      "folded.urdf",
+      "<robot name='r'><link name='a'><collision><geometry><sphere "
+      "radius='.1'/></geometry></collision></link>"
+      "<link name='b'/><link name='d'><collision><geometry><sphere "
+      "radius='.1'/></geometry></collision></link>"
+      "<joint name='ab' type='revolute'><parent link='a'/><child link='b'/><origin xyz='.3 0 0'/>"
+      "<limit lower='-1' upper='1'/></joint>"
+      "<joint name='cd' type='revolute'><parent link='b'/><child link='d'/><origin xyz='-.15 0 0'/>"
+      "<limit lower='-1' upper='1'/></joint></robot>");
+  EXPECT_EQ(contact(), "link 'a', link 'd'");
+}
+
+TEST_F(LinkPairsTest, WhatNoPathMovesMayStandInAnObstacle) {
+  scene_.obstacles = {test::boxObstacle("floor", {0.02, 0.02, 0.02}, {-0.05, 0, 0})};  // in a and e
+  EXPECT_EQ(contact(), "");
+  scene_.obstacles = {test::boxObstacle("floor", {0.02, 0.02, 0.02}, {0.15, 0, 0})};
+  EXPECT_EQ(contact(), "link 'b', obstacle 'floor'");
+}
+
+TEST_F(LinkPairsTest, TheHeldObjectIsComparedWithAllLinksButFingers) {
+  scene_.object = {{Sphere{0.01}, Eigen::Isometry3d::Identity()}};
+  scene_.object_name = "bead";
+  EXPECT_EQ(contact(), "link 'd', object 'bead'");
+  scene_.robot.description.finger_links = {"d"};
+  EXPECT_EQ(contact(), "");
+}
+
 }  // namespace
 }  // namespace b4p::verification

@@ -70,7 +70,7 @@ inline Scene gantryScene() {
   scene.robot.description.finger_joints = {"finger_left", "finger_right"};
   scene.robot.description.finger_links = {"left", "right"};
   scene.robot.description.max_opening_m = 0.08;
-  scene.obstacles = {boxObstacle("table", {2, 2, 0.1}, {0, 0, -0.05}),
+  scene.obstacles = {boxObstacle("table", {1.9, 2, 0.1}, {0.05, 0, -0.05}),
                      boxObstacle("wall", {0.002, 1, 0.3}, {0.15, 0, 0.15})};
   scene.object_name = "can";
   scene.object = {{Box{{0.1, 0.06, 0.08}}, Eigen::Isometry3d::Identity()}};

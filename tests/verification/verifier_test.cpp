@@ -191,7 +191,7 @@ TEST_F(VerifierTest, NotUpright) {
 TEST_F(VerifierTest, TiltIsAllowedWhereUprightIsNotAsked) {
   scene_.placement.upright = false;
   result_.path[3][4] = 0.01;
-  result_.X_WO_place.rotate(Eigen::AngleAxisd(-0.01, Eigen::Vector3d::UnitX()));
+  result_.X_WO_place.rotate(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX()));
   expectPasses();
 }
 
