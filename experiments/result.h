@@ -17,8 +17,8 @@ struct Verification {
   bool passed = false;
   std::string failure;  ///< first thing found wrong, one line; empty when passed
   double step_m = 0.0;  ///< largest swept motion between two samples of an edge (m)
-  long configurations =
-      0;  ///< samples covered: each pair measured there or known to be apart from an earlier one
+  /// Samples covered: each pair of bodies was measured there, or known to be apart from an earlier sample.
+  long configurations = 0;
   double clearance_m = 0.0;  ///< smallest distance at any sample between things that may not touch (m)
 };
 
@@ -48,10 +48,9 @@ struct PlanResult {
 ///   readResult() would refuse the file.
 void writeResult(const std::string& file, const PlanResult& result);
 
-/// @throws InputError naming file and element: unreadable, cut off or malformed, wrong schema version,
-/// missing
-///   or unknown or repeated key, wrong type, non-finite or out-of-range number, rows that differ in length
-///   from the joint names.
+/// @throws InputError naming file and element: unreadable, cut off or malformed, wrong schema version; a
+///   key that is missing, unknown or repeated; a value of the wrong type, out of range or not finite;
+///   way-points that differ in length from the joint names.
 PlanResult readResult(const std::string& file);
 
 /// Makes sure that files can be written in a folder, creating it where it is missing.

@@ -30,15 +30,15 @@ class PairList {
       if (const int link = pieces_[b].link; link >= 0 && !mayTouch(robot_, pieces_[a].link, link)) add(a, b);
   }
 
-  std::vector<PiecePair> pairs;
+  CollisionPairs pairs;
 
  private:
   void add(int a, int b) {
     const std::vector<int> above_a = jointsAbove(a), above_b = jointsAbove(b);
-    PiecePair pair{a, b, above_a == above_b, {}};
+    PiecePair pair{a, b, {}};
     std::set_symmetric_difference(above_a.begin(), above_a.end(), above_b.begin(), above_b.end(),
                                   std::back_inserter(pair.joints));
-    pairs.push_back(std::move(pair));
+    (pair.joints.empty() ? pairs.rigid : pairs.moving).push_back(std::move(pair));
   }
 
   std::vector<int> jointsAbove(int piece) const {
@@ -53,8 +53,7 @@ class PairList {
 
 }  // namespace
 
-std::vector<PiecePair> collisionPairs(const Manipulator& robot, const CollisionPieces& pieces,
-                                      bool with_object) {
+CollisionPairs collisionPairs(const Manipulator& robot, const CollisionPieces& pieces, bool with_object) {
   PairList list(robot, pieces);
   const int object_end = with_object ? pieces.stillBegin() : pieces.objectBegin();
   for (int a = pieces.objectBegin(); a < object_end; ++a) list.addAgainstObstacles(a);

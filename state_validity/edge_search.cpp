@@ -6,13 +6,6 @@
 #include <numeric>
 
 namespace b4p {
-namespace {
-
-// FCL's iterations may call pieces overlapping that are apart by less than its tolerance of 1e-6 m. A pair
-// passed over must be clearly farther apart, so that the answer stays what FCL would say at every sample.
-constexpr double kClearlyApart_m = 1e-5;
-
-}  // namespace
 
 EdgeSearch::EdgeSearch(PosedPieces& pieces)
     : pieces_(pieces), q_(static_cast<std::size_t>(pieces.world().robot().dof())), joint_motion_(q_.size()) {}
@@ -104,10 +97,12 @@ bool EdgeSearch::check(const EdgeSamples& samples, std::int64_t k, std::int64_t 
   for (std::size_t i = begin; i < end; ++i) {
     const int index = active_[i];
     const PiecePair& pair = pieces_.pairs()[static_cast<std::size_t>(index)];
-    const double gap_m = pieces_.gap(pair);
-    if (gap_m <= 0.0 && pieces_.overlap(pair)) return false;
     const double approach_m = static_cast<double>(reach) * pair_motion_m_[static_cast<std::size_t>(index)];
-    if (approach_m > 0.0 && gap_m <= approach_m + kClearlyApart_m) active_.push_back(index);
+    const double enough_m = approach_m + PosedPieces::kClearlyApart_m;
+    const double gap_m = pieces_.gap(pair, enough_m);
+    if (gap_m > enough_m) continue;
+    if (gap_m <= PosedPieces::kClearlyApart_m && pieces_.overlap(pair)) return false;
+    if (approach_m > 0.0) active_.push_back(index);
   }
   return true;
 }

@@ -22,15 +22,12 @@ FclContext::FclContext(std::shared_ptr<const FclWorld> world)
 bool FclContext::isFree(const double* q, const Grasp* held) {
   requireFinite(q, robot().dof());
   pieces_.hold(held);
-  if (!robot().withinLimits(q)) return false;
+  if (pieces_.rigidCollision() || !robot().withinLimits(q)) return false;
   pieces_.place(q);
   const std::vector<PiecePair>& pairs = pieces_.pairs();
-  const auto collides = [this](const PiecePair& pair) {
-    return pieces_.mayOverlap(pair) && pieces_.overlap(pair);
-  };
-  if (last_hit_ < pairs.size() && collides(pairs[last_hit_])) return false;
+  if (last_hit_ < pairs.size() && pieces_.collide(pairs[last_hit_])) return false;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!collides(pairs[i])) continue;
+    if (!pieces_.collide(pairs[i])) continue;
     last_hit_ = i;
     return false;
   }
@@ -46,7 +43,7 @@ bool FclContext::isEdgeFree(const double* q1, const double* q2, const Grasp* hel
 
 bool FclContext::isLegalEdgeFree(const double* q1, const double* q2) {
   // The limits form a box: what lies between two points inside it is inside as well.
-  if (!robot().withinLimits(q1) || !robot().withinLimits(q2)) return false;
+  if (pieces_.rigidCollision() || !robot().withinLimits(q1) || !robot().withinLimits(q2)) return false;
   return search_.allFree(samplesOf(q1, q2));
 }
 
@@ -55,7 +52,7 @@ double FclContext::freeFraction(const double* q1, const double* q2, const Grasp*
   requireFinite(q1, robot().dof());
   requireFinite(q2, robot().dof());
   pieces_.hold(held);
-  if (!robot().withinLimits(q1)) return kNothing;
+  if (pieces_.rigidCollision() || !robot().withinLimits(q1)) return kNothing;
   const EdgeSamples samples = samplesOf(q1, q2);
   std::int64_t free = search_.firstBlocked(samples, lastWithinLimits(samples)) - 1;
   if (free < 0) return kNothing;
@@ -78,10 +75,13 @@ std::string FclContext::describeCollision(const double* q, const Grasp* held) {
     if (q[i] < robot().lower()[i] || q[i] > robot().upper()[i])
       return robot().model().joints[joint].name + ", joint limits";
   }
+  const auto names = [this](const PiecePair& pair) {
+    return pieces_.world().pieces()[pair.a].owner + ", " + pieces_.world().pieces()[pair.b].owner;
+  };
+  if (const PiecePair* pair = pieces_.rigidCollision()) return names(*pair);
   pieces_.place(q);
   for (const PiecePair& pair : pieces_.pairs())
-    if (pieces_.overlap(pair))
-      return pieces_.world().pieces()[pair.a].owner + ", " + pieces_.world().pieces()[pair.b].owner;
+    if (pieces_.overlap(pair)) return names(pair);
   return {};
 }
 

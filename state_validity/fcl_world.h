@@ -18,9 +18,7 @@ class FclWorld {
   const CollisionProblem& problem() const { return problem_; }  ///< padding_m resolved
   const Manipulator& robot() const { return *problem_.robot; }
   const CollisionPieces& pieces() const { return pieces_; }
-  const std::vector<PiecePair>& pairs(bool with_object) const {
-    return with_object ? pairs_held_ : pairs_empty_;
-  }
+  const CollisionPairs& pairs(bool with_object) const { return with_object ? pairs_held_ : pairs_empty_; }
 
   /// Columns of travelPerUnit, one for each piece of a moving link.
   const Eigen::MatrixXd& linkTravel() const { return link_travel_; }
@@ -28,8 +26,8 @@ class FclWorld {
  private:
   CollisionProblem problem_;
   CollisionPieces pieces_;
-  std::vector<PiecePair> pairs_empty_;
-  std::vector<PiecePair> pairs_held_;
+  CollisionPairs pairs_empty_;
+  CollisionPairs pairs_held_;
   Eigen::MatrixXd link_travel_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_validity/posed_pieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <fcl/narrowphase/collision.h>
 
+#include "state_validity/separation.h"
 #include "state_validity/swept_motion.h"
 
 namespace b4p {
@@ -42,18 +44,32 @@ PosedPieces::PosedPieces(std::shared_ptr<const FclWorld> world) : world_(std::mo
 }
 
 void PosedPieces::hold(const Grasp* grasp) {
-  held_ = grasp != nullptr;
-  if (!held_) return;
-  if (grasp_known_ && grasp->opening_m == grasp_.opening_m && grasp->X_OT.matrix() == grasp_.X_OT.matrix())
-    return;
-  const Manipulator& robot = world_->robot();
-  requireUsable(*grasp, robot.description().max_opening_m);
-  grasp_known_ = true;
-  grasp_ = *grasp;
-  X_TO_ = grasp_.X_OT.inverse();
-  const CollisionPieces& pieces = world_->pieces();
-  for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i)
-    travel_.col(i) = travelPerUnit(robot, robot.tcpLink(), {pieces[i].grown, X_TO_ * pieces[i].X_BS});
+  const bool same_grasp = grasp && grasp_known_ && grasp->opening_m == grasp_.opening_m &&
+                          grasp->X_OT.matrix() == grasp_.X_OT.matrix();
+  const bool held = grasp != nullptr;
+  if (ready_ && held == held_ && (!held || same_grasp)) return;
+  if (held && !same_grasp) {
+    const Manipulator& robot = world_->robot();
+    requireUsable(*grasp, robot.description().max_opening_m);
+    grasp_ = *grasp;
+    X_TO_ = grasp_.X_OT.inverse();
+    const CollisionPieces& pieces = world_->pieces();
+    for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i)
+      travel_.col(i) = travelPerUnit(robot, robot.tcpLink(), {pieces[i].grown, X_TO_ * pieces[i].X_BS});
+    grasp_known_ = true;
+  }
+  held_ = held;
+  rigid_collision_ = findRigidCollision();
+  ready_ = true;
+}
+
+const PiecePair* PosedPieces::findRigidCollision() {
+  const std::vector<PiecePair>& rigid = world_->pairs(held_).rigid;
+  if (rigid.empty()) return nullptr;
+  place(world_->robot().lower().data());  // any configuration will do
+  for (const PiecePair& pair : rigid)
+    if (overlap(pair, &Piece::fcl_bare)) return &pair;
+  return nullptr;
 }
 
 void PosedPieces::place(const double* q) {
@@ -69,11 +85,18 @@ void PosedPieces::place(const double* q) {
   for (int i = 0; i < movingCount(); ++i) aabbs_[index(i)] = pieces[i].bounds.aabb(X_WS_[index(i)]);
 }
 
-bool PosedPieces::overlap(const PiecePair& pair) {
-  const Piece& a = world_->pieces()[pair.a];
-  const Piece& b = world_->pieces()[pair.b];
-  const FclShape& shape_a = pair.bare ? a.fcl_bare : a.fcl_grown;
-  const FclShape& shape_b = pair.bare ? b.fcl_bare : b.fcl_grown;
+double PosedPieces::gap(const PiecePair& pair, double enough_m) const {
+  const std::size_t a = index(pair.a), b = index(pair.b);
+  const double aabb_gap_m = aabbs_[a].gapTo(aabbs_[b]);
+  if (aabb_gap_m > enough_m) return aabb_gap_m;
+  const CollisionPieces& pieces = world_->pieces();
+  return std::max(aabb_gap_m,
+                  separation({pieces[pair.a].bounds, X_WS_[a]}, {pieces[pair.b].bounds, X_WS_[b]}, enough_m));
+}
+
+bool PosedPieces::overlap(const PiecePair& pair, FclShape Piece::*shape) {
+  const FclShape& shape_a = world_->pieces()[pair.a].*shape;
+  const FclShape& shape_b = world_->pieces()[pair.b].*shape;
   result_.clear();
   fcl::collide(shape_a.get(), X_WS_[index(pair.a)], shape_b.get(), X_WS_[index(pair.b)], request_, result_);
   return result_.isCollision();

@@ -26,17 +26,27 @@ class PosedPieces {
   void place(const double* q);
 
   const FclWorld& world() const { return *world_; }
-  const std::vector<PiecePair>& pairs() const { return world_->pairs(held_); }
+  /// Pairs that depend on q.
+  const std::vector<PiecePair>& pairs() const { return world_->pairs(held_).moving; }
 
-  /// Lower bound (m) of the distance of two grown pieces as placed; 0 if they may overlap.
-  double gap(const PiecePair& pair) const { return aabbs_[index(pair.a)].gapTo(aabbs_[index(pair.b)]); }
+  /// A pair that collides at all configurations with what is held, nullptr if there is none.
+  const PiecePair* rigidCollision() const { return rigid_collision_; }
 
-  bool mayOverlap(const PiecePair& pair) const {
-    return aabbs_[index(pair.a)].overlaps(aabbs_[index(pair.b)]);
+  /// Lower bound (m) of the distance of two grown pieces as placed; 0 if they may overlap. A bound
+  /// beyond `enough_m` is not improved.
+  double gap(const PiecePair& pair, double enough_m) const;
+
+  /// Whether two grown pieces overlap as placed. FCL decides unless they are clearly apart.
+  bool collide(const PiecePair& pair) {
+    return gap(pair, kClearlyApart_m) <= kClearlyApart_m && overlap(pair);
   }
 
-  /// FCL's verdict on two pieces as placed.
-  bool overlap(const PiecePair& pair);
+  /// FCL's verdict on two grown pieces as placed.
+  bool overlap(const PiecePair& pair) { return overlap(pair, &Piece::fcl_grown); }
+
+  /// FCL's iterations may call pieces overlapping that are apart by less than its tolerance of 1e-6 m. Only
+  /// pairs farther apart than this are passed over, so that every answer is what FCL would say.
+  static constexpr double kClearlyApart_m = 1e-5;
 
   /// Bounds (m) of how far points of each moving piece travel per unit of each planned joint: column i
   /// is travelPerUnit of piece i, the carried object's included.
@@ -48,10 +58,15 @@ class PosedPieces {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+  const PiecePair* findRigidCollision();
+  bool overlap(const PiecePair& pair, FclShape Piece::*shape);
+
   std::shared_ptr<const FclWorld> world_;
+  bool ready_ = false;  ///< rigid_collision_ belongs to held_ and grasp_
   bool held_ = false;
-  Grasp grasp_;
   bool grasp_known_ = false;  ///< travel_ and X_TO_ belong to grasp_
+  Grasp grasp_;
+  const PiecePair* rigid_collision_ = nullptr;
   Eigen::Isometry3d X_TO_ = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> X_WL_;
   std::vector<Eigen::Isometry3d> X_WS_;

@@ -24,12 +24,11 @@ int requireLink(const Scene& scene, const UrdfTree& tree, const std::string& nam
 std::vector<int> rigidGroups(const UrdfTree& tree) {
   std::vector<int> group(tree.links.size());
   for (const int link : tree.root_first) {
-    const int index = tree.links[static_cast<std::size_t>(link)].parent_joint;
-    group[static_cast<std::size_t>(link)] = link;
+    const int index = tree.links[link].parent_joint;
+    group[link] = link;
     if (index < 0) continue;
-    const UrdfJoint& joint = tree.joints[static_cast<std::size_t>(index)];
-    if (joint.type == UrdfJointType::kFixed)
-      group[static_cast<std::size_t>(link)] = group[static_cast<std::size_t>(joint.parent_link)];
+    const UrdfJoint& joint = tree.joints[index];
+    if (joint.type == UrdfJointType::kFixed) group[link] = group[joint.parent_link];
   }
   return group;
 }
@@ -49,12 +48,10 @@ std::set<std::pair<int, int>> skippedPairs(const Scene& scene, const Kinematics&
   const std::vector<int> group = rigidGroups(tree);
   std::set<std::pair<int, int>> joined, skipped;
   for (const UrdfJoint& joint : tree.joints)
-    joined.emplace(group[static_cast<std::size_t>(joint.parent_link)],
-                   group[static_cast<std::size_t>(joint.child_link)]);
+    joined.emplace(group[joint.parent_link], group[joint.child_link]);
   for (int a = 0; a < static_cast<int>(group.size()); ++a)
     for (int b = 0; b < static_cast<int>(group.size()); ++b)
-      if (movedAlike(robot, a, b) ||
-          joined.count({group[static_cast<std::size_t>(a)], group[static_cast<std::size_t>(b)]}) > 0)
+      if (movedAlike(robot, a, b) || joined.count({group[a], group[b]}) > 0)
         skipped.insert({std::min(a, b), std::max(a, b)});
   for (const auto& [name_a, name_b] : scene.robot.description.skip_self_collision) {
     const int a = requireLink(scene, tree, name_a), b = requireLink(scene, tree, name_b);
@@ -82,7 +79,7 @@ void CollisionSweep::addBody(std::string name, int link, bool held, const Placed
 void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
   const UrdfTree& tree = robot_.tree();
   for (int link = 0; link < static_cast<int>(tree.links.size()); ++link) {
-    const UrdfLink& urdf_link = tree.links[static_cast<std::size_t>(link)];
+    const UrdfLink& urdf_link = tree.links[link];
     for (const PlacedBody& placed : urdf_link.bodies)
       addBody("link '" + urdf_link.name + "'", link, false, placed);
   }
@@ -108,16 +105,15 @@ void CollisionSweep::addPairs(const Scene& scene) {
   };
   for (int a = 0; a < static_cast<int>(bodies_.size()); ++a)
     for (int b = a + 1; b < static_cast<int>(bodies_.size()); ++b)
-      if (!mayTouch(bodies_[static_cast<std::size_t>(a)], bodies_[static_cast<std::size_t>(b)]))
-        pairs_.push_back({a, b, 0.0, 0.0, Eigen::Vector3d::UnitX()});
+      if (!mayTouch(bodies_[a], bodies_[b])) pairs_.push_back({a, b, 0.0, 0.0, Eigen::Vector3d::UnitX()});
 }
 
 /// Bounds all motions over an edge that changes the joints by `change`. Returns the number of steps.
 double CollisionSweep::prepareEdge(const Eigen::VectorXd& change) {
   const Eigen::VectorXd amount = change.cwiseAbs();
   for (Pair& pair : pairs_) {
-    const Eigen::VectorXd& a = bodies_[static_cast<std::size_t>(pair.a)].motion_per_unit;
-    const Eigen::VectorXd& b = bodies_[static_cast<std::size_t>(pair.b)].motion_per_unit;
+    const Eigen::VectorXd& a = bodies_[pair.a].motion_per_unit;
+    const Eigen::VectorXd& b = bodies_[pair.b].motion_per_unit;
     pair.due = 0.0;
     pair.motion_m = 0.0;
     // Seen from the last joint that moves both bodies, only the joints after it move either of them.
@@ -133,19 +129,19 @@ void CollisionSweep::moveTo(const Eigen::VectorXd& q) {
   const std::vector<Eigen::Isometry3d> X_WL = robot_.linkPoses(q, opening_m_);
   for (Body& body : bodies_) {
     if (body.link == kWorld) continue;
-    body.X_WS = X_WL[static_cast<std::size_t>(body.link)] * body.placed.X_LS;
+    body.X_WS = X_WL[body.link] * body.placed.X_LS;
     body.p_WC = body.X_WS * body.placed.body.centre();
   }
 }
 
 /// Measures a pair at one of `count` + 1 samples and sets when it is due again. False: the two touch.
 bool CollisionSweep::measure(Pair& pair, double sample, double count) {
-  const Body& a = bodies_[static_cast<std::size_t>(pair.a)];
-  const Body& b = bodies_[static_cast<std::size_t>(pair.b)];
+  const Body& a = bodies_[pair.a];
+  const Body& b = bodies_[pair.b];
   // The balls around the bodies suffice while they are farther apart than the smaller one is thick.
   double distance_m = (a.p_WC - b.p_WC).norm() - a.placed.body.radius() - b.placed.body.radius();
   const double thickness_m = 2.0 * std::min(a.placed.body.radius(), b.placed.body.radius());
-  if (distance_m < closest_m_ + thickness_m || std::isinf(closest_m_)) {
+  if (distance_m < closest_m_ + thickness_m) {
     const Separation found = separation(a.placed.body, a.X_WS, b.placed.body, b.X_WS, pair.direction);
     if (!found.apart()) return false;
     pair.direction = found.direction;
@@ -167,8 +163,7 @@ std::optional<Contact> CollisionSweep::firstContact(const Eigen::VectorXd& q1, c
     double next = count + 1.0;
     for (Pair& pair : pairs_) {
       if (pair.due <= sample && !measure(pair, sample, count))
-        return Contact{bodies_[static_cast<std::size_t>(pair.a)].name,
-                       bodies_[static_cast<std::size_t>(pair.b)].name, fraction};
+        return Contact{bodies_[pair.a].name, bodies_[pair.b].name, fraction};
       next = std::min(next, pair.due);
     }
     sample = next;

@@ -23,7 +23,7 @@ class Kinematics {
 
   const UrdfTree& tree() const { return tree_; }
   int dof() const { return static_cast<int>(planned_.size()); }
-  const UrdfJoint& plannedJoint(int i) const { return tree_.joints[static_cast<std::size_t>(planned_[i])]; }
+  const UrdfJoint& plannedJoint(int i) const { return tree_.joints[planned_[i]]; }
   int tcpLink() const { return tcp_link_; }
 
   /// Poses of all links at q (dof() values) with the fingers `opening_m` apart, by link index.

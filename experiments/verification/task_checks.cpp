@@ -179,7 +179,7 @@ std::string graspProblem(const Scene& scene, const PlanResult& result, const Kin
     return "grasp: opening of " + text(grasp.opening_m) + " m is outside [0, " + text(gripper.max_opening_m) +
            "]";
   for (const std::string& name : gripper.finger_joints) {
-    const UrdfJoint& finger = robot.tree().joints[static_cast<std::size_t>(robot.tree().jointIndex(name))];
+    const UrdfJoint& finger = robot.tree().joints[robot.tree().jointIndex(name)];
     const double value = grasp.opening_m / 2.0;
     if (value < finger.lower - kLimitTolerance || value > finger.upper + kLimitTolerance)
       return "grasp: joint '" + name + "' at " + text(value) + " is outside its limits";

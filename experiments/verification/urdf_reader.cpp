@@ -160,7 +160,7 @@ void readJoint(const XMLElement& xml, const std::string& file, UrdfTree& tree) {
     readMotion(xml, type, joint, context);
   else if (type != "fixed")
     context.fail("joints of type " + type + " are not supported");
-  UrdfLink& child = tree.links[static_cast<std::size_t>(joint.child_link)];
+  UrdfLink& child = tree.links[joint.child_link];
   if (child.parent_joint >= 0) context.fail("its child '" + child.name + "' has two parents");
   if (tree.jointIndex(joint.name) >= 0) context.fail("is there twice");
   child.parent_joint = static_cast<int>(tree.joints.size());

@@ -24,7 +24,7 @@ Eigen::VectorXd configuration(const std::vector<double>& row) {
 
 Eigen::Isometry3d objectPose(const Kinematics& robot, const Grasp& grasp, const std::vector<double>& row) {
   const auto X_WL = robot.linkPoses(configuration(row), grasp.opening_m);
-  return X_WL[static_cast<std::size_t>(robot.tcpLink())] * grasp.X_OT.inverse(Eigen::Isometry);
+  return X_WL[robot.tcpLink()] * grasp.X_OT.inverse(Eigen::Isometry);
 }
 
 /// The first thing wrong with the result apart from collisions.

@@ -8,16 +8,15 @@ namespace b4p {
 
 /// Re-checks a planned path with code of its own, from the URDF to the distances: nothing here comes from
 /// state_validity, KDL, urdfdom or FCL. Checked, until the first thing is found wrong:
-/// - the result is an exact solution of this scene, its joints are the robot's, in order, and inside their
-/// limits;
-/// - the grasp is one that holds the object; the object is at the start pose at the first way-point (1 mm,
-/// 0.2 degrees), at rest
-///   in the placement region at the last one, and the poses stated in the result agree;
-/// - along every edge nothing touches: moving links against obstacles, links against each other (except those
-/// that no
-///   planned joint moves against each other, those joined by one joint with whatever is fixed to them, and
-///   the robot file's pairs), held object against obstacles and links (except fingers). Shapes are bare,
-///   without padding.
+/// - the result is an exact solution of this scene;
+/// - its joints are the robot's, in order, and inside their limits;
+/// - the grasp is one that holds the object;
+/// - the object is at its start pose at the first way-point (within 1 mm and 0.2 degrees) and inside the
+///   placement region at the last one, and the poses stated in the result agree;
+/// - along every edge nothing touches: links that the path can move against obstacles, links against
+///   each other, held object against obstacles and links except fingers. Shapes are bare, without padding.
+///   Links are not compared when no planned joint moves them against each other, when they (or what is
+///   fixed to them) are joined by one joint, or when the robot file lists the pair.
 ///
 /// Every edge is divided so finely that no point of robot or object moves more than `edge_step_m` / 10
 /// between two samples. At every sample each pair of bodies is either measured, or known to be apart since

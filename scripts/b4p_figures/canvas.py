@@ -13,20 +13,21 @@ os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkOSOpenGLRenderWindow"
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers the renderer)
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkPolyLine
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkPolyLine, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals, vtkTubeFilter
-from vtkmodules.vtkFiltersGeneral import vtkOBBTree
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 SHARP_EDGE_DEG = 35.0
+SMALLEST_EDGE_M = 5e-4  # slivers left by the union would show as cracks
 TUBE_SIDES = 16
+EDGE_PIXELS = 1.5
 SUPERSAMPLING = 2  # the picture is rendered this much larger, then averaged
-BEHIND = 2.0  # depth offset, in the renderer's units
+BEHIND = 1.0  # depth offset, in the renderer's units
 PEELS = 12  # translucent layers told apart
 CAMERA_DISTANCE = 2.2  # in diagonals of what is shown
 FRAME = 1.04  # size of the picture over what it shows
-ELEVATION = 0.42  # height of the camera over its distance on the ground
+ELEVATIONS = (0.42, 0.25, 0.7)  # height of the camera over its distance on the ground, best first
 AZIMUTHS_DEG = (-60, -35, -85, -120, 60, 35, 85, 120, -10, 10, 150, -150)  # best first
 KEY_LIGHT = 0.95
 AMBIENT = 0.25  # share of light from nowhere
@@ -36,7 +37,7 @@ BACKGROUND = (1.0, 1.0, 1.0)
 def union(solids: list[np.ndarray]) -> vtkPolyData:
     """The surface of the union of the convex hulls of sets of points: translucent solids show no seams."""
     body = Manifold.batch_boolean([Manifold.hull_points(points) for points in solids], OpType.Add)
-    return _poly_data(body.to_mesh())
+    return _poly_data(body.simplify(SMALLEST_EDGE_M).to_mesh())
 
 
 def _poly_data(mesh: Mesh) -> vtkPolyData:
@@ -66,7 +67,8 @@ class Canvas:
         self._window.SetMultiSamples(0)
         self._window.SetSize(*(SUPERSAMPLING * round(side) for side in pixels))
         self._window.AddRenderer(self._renderer)
-        self._screens: list[vtkOBBTree] = []
+        self._screens: list[tuple[vtkStaticCellLocator, float]] = []
+        self._ghosts = 0
         lights = vtkLightKit()
         lights.SetKeyLightIntensity(KEY_LIGHT)
         lights.AddLightsToRenderer(self._renderer)
@@ -77,14 +79,22 @@ class Canvas:
         normals.SetFeatureAngle(SHARP_EDGE_DEG)
         self._add(normals, color, opacity)
 
-    def add_obstacle(self, surface: vtkPolyData, color: str, opacity: float) -> None:
-        """A solid with its edges drawn, around which the camera tries to see."""
+    def add_screen(self, surface: vtkPolyData, color: str, opacity: float) -> None:
+        """A solid around which the camera tries to see."""
         self.add_solid(surface, color, opacity)
-        self._add_edges(surface, color)
-        screen = vtkOBBTree()
+        screen = vtkStaticCellLocator()
         screen.SetDataSet(surface)
         screen.BuildLocator()
-        self._screens.append(screen)
+        self._screens.append((screen, opacity))
+
+    def add_edges(self, surface: vtkPolyData, color: str) -> None:
+        edges = vtkFeatureEdges()
+        edges.SetInputData(surface)
+        edges.SetFeatureAngle(SHARP_EDGE_DEG)
+        edges.ColoringOff()
+        actor = self._add(edges, color, 1.0)
+        actor.GetProperty().SetLineWidth(EDGE_PIXELS * SUPERSAMPLING)
+        actor.GetProperty().LightingOff()
 
     def add_tube(self, line: np.ndarray, radius_m: float, color: str) -> None:
         points = vtkPoints()
@@ -104,22 +114,15 @@ class Canvas:
         tube.CappingOn()
         self._add(tube, color, 1.0)
 
-    def _add_edges(self, surface: vtkPolyData, color: str) -> None:
-        edges = vtkFeatureEdges()
-        edges.SetInputData(surface)
-        edges.SetFeatureAngle(SHARP_EDGE_DEG)
-        edges.ColoringOff()
-        actor = self._add(edges, color, 1.0)
-        actor.GetProperty().SetLineWidth(1.5 * SUPERSAMPLING)
-        actor.GetProperty().LightingOff()
-
     def _add(self, source: object, color: str, opacity: float) -> vtkActor:
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(source.GetOutputPort())
         mapper.ScalarVisibilityOff()
-        if opacity < 1.0:  # falls behind an opaque surface at the same place
+        if opacity < 1.0:  # falls behind earlier and opaque surfaces at the same place
             mapper.SetResolveCoincidentTopologyToPolygonOffset()
-            mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(BEHIND, BEHIND)
+            self._ghosts += 1
+            behind = BEHIND * self._ghosts
+            mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(behind, behind)
         actor = vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetColor(*to_rgb(color))
@@ -129,15 +132,14 @@ class Canvas:
         return actor
 
     def render(self, inside: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-        """An RGB image with all points `inside` in it, from where the fewest of the points `wanted` hide behind
-        obstacles."""
+        """An RGB image with all points `inside` in it, from where screens dim the points `wanted` least."""
         low, high = inside.min(axis=0), inside.max(axis=0)
         centre, distance = (low + high) / 2, CAMERA_DISTANCE * np.linalg.norm(high - low)
         eyes = [centre + distance * direction for direction in _directions()]
-        hidden = [sum(self._is_hidden(eye, point) for point in wanted) for eye in eyes]
+        dimming = [sum(self._dimming(point, eye) for point in wanted) for eye in eyes]
         camera = self._renderer.GetActiveCamera()
         camera.SetViewUp(0, 0, 1)
-        camera.SetPosition(*eyes[int(np.argmin(hidden))])
+        camera.SetPosition(*eyes[int(np.argmin(dimming))])
         camera.SetFocalPoint(*centre)
         self._fit(inside)
         self._renderer.ResetCameraClippingRange()
@@ -158,8 +160,11 @@ class Canvas:
         middle = (low + high) / 2
         camera.SetWindowCenter(middle[0] / (half * width / height), middle[1] / half)
 
-    def _is_hidden(self, eye: np.ndarray, point: np.ndarray) -> bool:
-        return any(screen.IntersectWithLine(eye, point, None, None) != 0 for screen in self._screens)
+    def _dimming(self, point: np.ndarray, eye: np.ndarray) -> float:
+        """Summed opacity of the screens between them."""
+        return sum(
+            opacity for screen, opacity in self._screens if screen.IntersectWithLine(eye, point, None, None)
+        )
 
     def _image(self) -> np.ndarray:
         grabber = vtkWindowToImageFilter()
@@ -177,4 +182,4 @@ class Canvas:
 
 def _directions() -> list[np.ndarray]:
     azimuths = np.radians(AZIMUTHS_DEG)
-    return [np.array([np.cos(azimuth), np.sin(azimuth), ELEVATION]) for azimuth in azimuths]
+    return [np.array([np.cos(a), np.sin(a), elevation]) for elevation in ELEVATIONS for a in azimuths]

@@ -19,6 +19,7 @@ from b4p_files.scene import Scene
 SNAPSHOTS = 40
 TRACE_POINTS = 600
 WIDTH_IN = 7.2
+TALLEST = 1.6  # height over width
 MARGIN_M = 0.05
 LEGEND_COLUMNS = 3
 WALL, REGION, START, GOAL = "#4a4a4a", "#009E73", "#0072B2", "#D55E00"
@@ -34,7 +35,10 @@ def outlines(solids: list[np.ndarray]) -> list[np.ndarray]:
 
 def draw_planar(scene: Scene, result: Result | None, forests: Forests | None, file: Path) -> None:
     walls = [outline for solid in obstacle_points(scene) for outline in outlines([solid])]
-    figure, axes = plt.subplots(figsize=_size(walls), layout="constrained")
+    low, high = _limits(scene, result, walls)
+    figure, axes = plt.subplots(
+        figsize=(WIDTH_IN, WIDTH_IN * min(_aspect(low, high), TALLEST)), layout="constrained"
+    )
     axes.add_collection(PolyCollection(walls, facecolors=WALL, edgecolors=WALL, linewidths=0.5, zorder=2))
     legend = [Patch(color=WALL, label="obstacles")]
     legend += _draw_region(axes, scene)
@@ -45,16 +49,23 @@ def draw_planar(scene: Scene, result: Result | None, forests: Forests | None, fi
     legend += _draw_object(axes, scene, scene.X_WO_start, START, "object at the pick")
     if result is not None and result.solved:
         legend += _draw_object(axes, scene, result.X_WO_place, GOAL, "object at the place")
-    _finish(axes, walls, motion_title(scene, result))
+    _finish(axes, low, high, motion_title(scene, result))
     figure.legend(handles=legend, loc="outside lower center", ncols=LEGEND_COLUMNS, fontsize="small")
     save(figure, file)
 
 
-def _size(walls: list[np.ndarray]) -> tuple[float, float]:
-    """Equal scales fill the figure; the title and the legend need room beside the scene."""
-    room_in = 1.5
-    extent = np.ptp(np.concatenate(walls), axis=0) if walls else np.ones(2)
-    return WIDTH_IN, WIDTH_IN * float(np.clip(extent[1] / extent[0], 0.4, 1.6)) + room_in
+def _limits(scene: Scene, result: Result | None, walls: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    region = np.array([scene.region_min_m, scene.region_max_m])
+    shown = [*object_points(scene, scene.X_WO_start), region]
+    if result is not None and len(result.path):
+        shown.append(replay(scene, result, TRACE_POINTS).tcp[:, :3, 3])
+        shown += object_points(scene, result.X_WO_place)
+    corners = np.concatenate([*walls, *(points[:, :2] for points in shown)])
+    return corners.min(axis=0) - MARGIN_M, corners.max(axis=0) + MARGIN_M
+
+
+def _aspect(low: np.ndarray, high: np.ndarray) -> float:
+    return float((high[1] - low[1]) / (high[0] - low[0]))
 
 
 def _draw_region(axes: Axes, scene: Scene) -> list[Patch]:
@@ -125,13 +136,9 @@ def _draw_object(axes: Axes, scene: Scene, X_WO: np.ndarray, color: str, label: 
     return [Patch(color=color, label=label)]
 
 
-def _finish(axes: Axes, walls: list[np.ndarray], title: str) -> None:
-    axes.autoscale_view()
-    if walls:
-        corners = np.concatenate(walls)
-        low, high = corners.min(axis=0) - MARGIN_M, corners.max(axis=0) + MARGIN_M
-        axes.set_xlim(low[0], high[0])
-        axes.set_ylim(low[1], high[1])
+def _finish(axes: Axes, low: np.ndarray, high: np.ndarray, title: str) -> None:
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
     axes.set_aspect("equal")
     axes.grid(visible=False)
     axes.set_xlabel("x (m)")

@@ -4,7 +4,6 @@
 from pathlib import Path
 
 import numpy as np
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from b4p_figures.canvas import Canvas, union
@@ -17,9 +16,9 @@ from b4p_files.shapes import Box
 WIDTH_IN, HEIGHT_IN = 7.6, 6.9
 PIXELS = (WIDTH_IN * DOTS_PER_INCH, 5.6 * DOTS_PER_INCH)
 OBSTACLE, REGION = "#8c96a3", "#009E73"
-START, MIDDLE, GOAL, TRACE = "#0072B2", "#9aa0a6", "#D55E00", "#CC79A7"
-GOAL_ROBOT = "#f3d9c4"
-PICK_OPACITY, MIDDLE_OPACITY, WAY_OPACITY, OBSTACLE_OPACITY, REGION_OPACITY = 0.35, 0.22, 0.35, 0.22, 0.4
+START, MIDDLE, GOAL, TRACE = "#0072B2", "#8a8f96", "#D55E00", "#CC79A7"
+PICK_OPACITY, MIDDLE_OPACITY, PLACE_OPACITY = 0.25, 0.15, 0.40  # of the robot
+WAY_OPACITY, OBSTACLE_OPACITY, REGION_OPACITY = 0.35, 0.18, 0.4
 MOMENTS = 61  # of the motion; odd, so that one is its middle
 GHOSTS = 5  # faint objects between start and goal
 TRACE_RADIUS_M = 0.005
@@ -29,7 +28,8 @@ SMALLEST_REGION_M = 0.004  # a flat region is drawn this thick
 def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
     canvas = Canvas(PIXELS)
     for solid in obstacle_points(scene):
-        canvas.add_obstacle(union([solid]), OBSTACLE, OBSTACLE_OPACITY)
+        canvas.add_screen(union([solid]), OBSTACLE, OBSTACLE_OPACITY)
+        canvas.add_edges(union([solid]), OBSTACLE)
     canvas.add_solid(union([_region_points(scene)]), REGION, REGION_OPACITY)
     canvas.add_solid(union(object_points(scene, scene.X_WO_start)), START)
     legend = [
@@ -43,7 +43,7 @@ def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
         subject = _subject(scene, motion, (0, MOMENTS // 2, MOMENTS - 1))
     else:
         motion = rest(scene)
-        canvas.add_solid(union(robot_points(scene, motion, 0)), MIDDLE)
+        canvas.add_screen(union(robot_points(scene, motion, 0)), MIDDLE, 1.0)
         subject = _subject(scene, motion, (0,))
     _compose(canvas.render(*subject), motion_title(scene, result), legend, file)
 
@@ -53,11 +53,12 @@ def _region_points(scene: Scene) -> np.ndarray:
     return Box(size).points() + (scene.region_min_m + scene.region_max_m) / 2
 
 
-def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch | Line2D]:
+def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch]:
     last = MOMENTS - 1
-    canvas.add_solid(union(robot_points(scene, motion, 0, unless_as_at=last)), START, PICK_OPACITY)
-    canvas.add_solid(union(robot_points(scene, motion, last // 2, unless_as_at=last)), MIDDLE, MIDDLE_OPACITY)
-    canvas.add_solid(union(robot_points(scene, motion, last)), GOAL_ROBOT)
+    canvas.add_screen(union(robot_points(scene, motion, last)), GOAL, PLACE_OPACITY)
+    for moment, color, opacity in ((0, START, PICK_OPACITY), (last // 2, MIDDLE, MIDDLE_OPACITY)):
+        if moved := robot_points(scene, motion, moment, unless_as_at=last):
+            canvas.add_screen(union(moved), color, opacity)
     for moment in np.linspace(0, last, GHOSTS + 2).round().astype(int)[1:-1]:
         canvas.add_solid(union(object_points(scene, motion.object[moment])), TRACE, WAY_OPACITY)
     canvas.add_solid(union(object_points(scene, motion.object[last])), GOAL)
@@ -66,19 +67,27 @@ def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch | Li
         Patch(color=GOAL, label="object at the place"),
         Patch(color=TRACE, label="object on its way"),
         Patch(color=START, alpha=PICK_OPACITY, label="robot at the pick"),
-        Patch(color=MIDDLE, alpha=0.5, label="robot midway"),
-        Patch(color=GOAL_ROBOT, label="robot at the place"),
+        Patch(color=MIDDLE, alpha=0.4, label="robot midway"),
+        Patch(color=GOAL, alpha=PLACE_OPACITY, label="robot at the place"),
     ]
 
 
 def _subject(scene: Scene, motion: Motion, moments: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
     """What has to be inside the picture, and what of it should not hide behind obstacles."""
+    ends = [*object_points(scene, motion.object[0]), *object_points(scene, motion.object[-1])]
+    way = np.concatenate([motion.object[:, :3, 3], _region_points(scene), *ends])
     robot = [points for moment in moments for points in robot_points(scene, motion, moment)]
-    way = np.concatenate([motion.object[:, :3, 3], _region_points(scene)])
-    return np.concatenate([*robot, *obstacle_points(scene), way]), way
+    moving = np.concatenate([*robot, way])
+    # A floor is there to be seen, not to be seen whole.
+    obstacles = [points for points in obstacle_points(scene) if _diagonal(points) < _diagonal(moving)]
+    return np.concatenate([*obstacles, moving]), way
 
 
-def _compose(image: np.ndarray, title: str, legend: list[Patch | Line2D], file: Path) -> None:
+def _diagonal(points: np.ndarray) -> float:
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def _compose(image: np.ndarray, title: str, legend: list[Patch], file: Path) -> None:
     figure, axes = plt.subplots(figsize=(WIDTH_IN, HEIGHT_IN), layout="constrained")
     axes.imshow(image, interpolation="antialiased")
     axes.set_axis_off()

@@ -68,5 +68,5 @@ def add_legend(figure: Figure, planner_looks: dict[str, Look], note: str = "") -
 
 def save(figure: Figure, file: Path) -> None:
     with replacing(file) as temporary:
-        figure.savefig(temporary, dpi=DOTS_PER_INCH)
+        figure.savefig(temporary, dpi=DOTS_PER_INCH, bbox_inches="tight")
     plt.close(figure)

@@ -9,6 +9,11 @@ import numpy as np
 Pose = np.ndarray
 
 
+def vector(numbers: Sequence[float]) -> np.ndarray:
+    """Three numbers; raises ValueError for any other count."""
+    return np.array(numbers, float).reshape(3)
+
+
 def axis_angles(axis: Sequence[float], angles_rad: np.ndarray) -> np.ndarray:
     """One rotation matrix for each angle."""
     x, y, z = np.asarray(axis, float) / np.linalg.norm(axis)
@@ -35,7 +40,7 @@ def quaternion(wxyz: Sequence[float]) -> np.ndarray:
 
 def pose(position: Sequence[float], rotation: np.ndarray | None = None) -> Pose:
     X = np.eye(4)
-    X[:3, 3] = position
+    X[:3, 3] = vector(position)
     if rotation is not None:
         X[:3, :3] = rotation
     return X

@@ -10,8 +10,8 @@ import numpy as np
 import yaml
 
 from b4p_files.errors import FileError, reading
-from b4p_files.poses import Pose, axis_angles, pose, rpy
-from b4p_files.shapes import Box, Capsule, Cylinder, MeshFile, PlacedShape, Shape
+from b4p_files.poses import Pose, axis_angles, pose, rpy, vector
+from b4p_files.shapes import Box, Capsule, Cylinder, PlacedShape, Shape, read_mesh
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "package://"
@@ -147,13 +147,13 @@ def _read_shapes(link: ET.Element, urdf: Path) -> list[PlacedShape]:
 def _read_shape(element: ET.Element, urdf: Path) -> Shape:
     get = element.attrib
     if element.tag == "box":
-        return Box(_numbers(element, "size", ()))
+        return Box(vector(_numbers(element, "size", ())))
     if element.tag == "sphere":
         return Capsule(float(get["radius"]), 0.0)
     if element.tag == "cylinder":
         return Cylinder(float(get["radius"]), float(get["length"]))
     if element.tag == "mesh":
-        return MeshFile(_mesh_file(get["filename"], urdf), _numbers(element, "scale", (1, 1, 1)))
+        return read_mesh(_mesh_file(get["filename"], urdf), _numbers(element, "scale", (1, 1, 1)))
     raise ValueError(f"unknown shape {element.tag}")
 
 

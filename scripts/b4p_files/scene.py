@@ -8,7 +8,7 @@ import numpy as np
 import yaml
 
 from b4p_files.errors import FileError, reading
-from b4p_files.poses import Pose, pose_from
+from b4p_files.poses import Pose, pose_from, vector
 from b4p_files.robot import ROOT, Robot, find_robot, read_robot
 from b4p_files.shapes import PlacedShape, shape_from
 
@@ -53,6 +53,6 @@ def read_scene(file: Path) -> Scene:
             object_name=item["name"],
             object=[shape_from(one, file.parent) for one in item["shapes"]],
             X_WO_start=pose_from(item["start"]),
-            region_min_m=np.array(region["min_m"], float),
-            region_max_m=np.array(region["max_m"], float),
+            region_min_m=vector(region["min_m"]),
+            region_max_m=vector(region["max_m"]),
         )

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Convex solids, in metres, each in a frame of its own with the axis of round ones along z."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from b4p_files.poses import Pose, pose_from
+from b4p_files.poses import Pose, pose_from, vector
 
 SEGMENTS = 48  # of a circle
 
@@ -55,17 +55,16 @@ class Prism:
 
 
 @dataclass
-class MeshFile:
+class Cloud:
     """Stands for the convex hull of its points."""
 
-    file: Path
-    scale: np.ndarray
+    cloud: np.ndarray
 
     def points(self) -> np.ndarray:
-        return read_mesh_points(self.file) * self.scale
+        return self.cloud
 
 
-Shape = Box | Capsule | Cylinder | Prism | MeshFile
+Shape = Box | Capsule | Cylinder | Prism | Cloud
 
 
 @dataclass
@@ -79,7 +78,7 @@ def _ring(radius: float, z: float) -> np.ndarray:
     return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.full(SEGMENTS, z)])
 
 
-def read_mesh_points(file: Path) -> np.ndarray:
+def read_mesh(file: Path, scale: Sequence[float]) -> Cloud:
     # VTK takes a second to load and only scenes with mesh files need it here.
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
@@ -92,7 +91,8 @@ def read_mesh_points(file: Path) -> np.ndarray:
     reader = readers[file.suffix.lower()]()
     reader.SetFileName(str(file))
     reader.Update()
-    return vtk_to_numpy(reader.GetOutput().GetPoints().GetData()).astype(float)
+    points = vtk_to_numpy(reader.GetOutput().GetPoints().GetData()).astype(float)
+    return Cloud(points * vector(scale))
 
 
 def shape_from(mapping: Mapping[str, Any], folder: Path) -> PlacedShape:
@@ -102,7 +102,7 @@ def shape_from(mapping: Mapping[str, Any], folder: Path) -> PlacedShape:
 
 def _bare_shape(mapping: Mapping[str, Any], folder: Path) -> Shape:
     if box := mapping.get("box"):
-        return Box(np.array(box["size_m"], float))
+        return Box(vector(box["size_m"]))
     if sphere := mapping.get("sphere"):
         return Capsule(float(sphere["radius_m"]), 0.0)
     if capsule := mapping.get("capsule"):
@@ -110,7 +110,7 @@ def _bare_shape(mapping: Mapping[str, Any], folder: Path) -> Shape:
     if cylinder := mapping.get("cylinder"):
         return Cylinder(float(cylinder["radius_m"]), float(cylinder["length_m"]))
     if prism := mapping.get("prism"):
-        return Prism(np.array(prism["polygon_m"], float), float(prism["height_m"]))
+        return Prism(np.array(prism["polygon_m"], float).reshape(-1, 2), float(prism["height_m"]))
     if mesh := mapping.get("mesh"):
-        return MeshFile(folder / mesh["file"], np.array(mesh.get("scale", (1, 1, 1)), float))
+        return read_mesh(folder / mesh["file"], mesh.get("scale", (1, 1, 1)))
     raise ValueError(f"no known shape among {', '.join(mapping)}")

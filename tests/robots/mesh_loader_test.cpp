@@ -93,12 +93,17 @@ Eigen::Vector3d extent(const RobotModel& model) {
   return sum;
 }
 
-class MeshFormat : public testing::TestWithParam<std::pair<const char*, std::string (*)()>> {};
+struct Format {
+  const char* extension;
+  std::string (*content)();
+};
+
+class MeshFormat : public testing::TestWithParam<Format> {};
 
 TEST_P(MeshFormat, LoadsWithScale) {
   const TemporaryFolder folder;
-  const std::string name = std::string("meshes/part.") + GetParam().first;
-  folder.write(name, GetParam().second());
+  const std::string name = std::string("meshes/part.") + GetParam().extension;
+  folder.write(name, GetParam().content());
   const auto plain = loadUrdf(folder.write("plain.urdf", urdfWithMesh("filename=\"" + name + "\"")));
   EXPECT_TRUE(extent(plain).isApprox(Eigen::Vector3d(1, 2, 3), 1e-6)) << extent(plain).transpose();
   const auto scaled =
@@ -107,10 +112,11 @@ TEST_P(MeshFormat, LoadsWithScale) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
-                         testing::Values(std::pair{"stl", asciiStl}, std::pair{"STL", binaryStl},
-                                         std::pair{"obj", obj}, std::pair{"dae", dae}),
+                         testing::Values(Format{"stl", asciiStl}, Format{"STL", binaryStl},
+                                         Format{"obj", obj}, Format{"dae", dae}),
                          [](const auto& instance) {
-                           return std::string(instance.param.first) + "_" + std::to_string(instance.index);
+                           return std::string(instance.param.extension) + "_" +
+                                  std::to_string(instance.index);
                          });
 
 class MeshPlace : public testing::Test {

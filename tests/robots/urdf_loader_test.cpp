@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robots/robot_model.h"
 
-#include <clocale>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -151,13 +151,27 @@ TEST_F(UrdfLoader, SeveralThreadsLoadAtOnce) {
   for (const int count : wrong) EXPECT_EQ(count, 0);
 }
 
+/// Numbers as people write them in many countries.
+class DecimalComma : public std::numpunct<char> {
+ protected:
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
 TEST(UrdfLoaderLocale, DoesNotMatter) {
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no locale with a decimal comma here";
   const TemporaryFolder folder;
-  const RobotModel model = loadUrdf(folder.write("good.urdf", kGood));
-  std::setlocale(LC_ALL, before.c_str());
+  const std::string good = folder.write("good.urdf", kGood);
+  const std::string bad = folder.write("bad.urdf", R"(<robot name="r"><link name="a"><collision><geometry>
+    <sphere radius="0,5"/></geometry></collision></link></robot>)");
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+  RobotModel model;
+  EXPECT_NO_THROW(model = loadUrdf(good));
+  EXPECT_THROW(loadUrdf(bad), InputError);
+  std::locale::global(before);
+  ASSERT_GE(model.jointIndex("turn"), 0);
   EXPECT_EQ(model.joints.at(static_cast<std::size_t>(model.jointIndex("turn"))).lower, -1.5);
+  EXPECT_EQ(model.joints.at(static_cast<std::size_t>(model.jointIndex("turn"))).max_velocity, 0.7);
 }
 
 }  // namespace

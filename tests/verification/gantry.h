@@ -26,17 +26,37 @@ inline const char* const kGantryUrdf = R"(<?xml version="1.0"?>
   <link name="hand">
     <collision><origin xyz="0 0 -0.03"/><geometry><box size="0.06 0.2 0.06"/></geometry></collision>
   </link>
-  <link name="left"><collision><origin xyz="0 0.01 0.03"/><geometry><box size="0.02 0.02 0.06"/></geometry></collision></link>
-  <link name="right"><collision><origin xyz="0 -0.01 0.03"/><geometry><box size="0.02 0.02 0.06"/></geometry></collision></link>
+  <link name="left">
+    <collision><origin xyz="0 0.01 0.03"/><geometry><box size="0.02 0.02 0.06"/></geometry></collision>
+  </link>
+  <link name="right">
+    <collision><origin xyz="0 -0.01 0.03"/><geometry><box size="0.02 0.02 0.06"/></geometry></collision>
+  </link>
   <link name="tcp"/>
-  <joint name="x" type="prismatic"><parent link="base"/><child link="slide_x"/><axis xyz="1 0 0"/><limit lower="-2" upper="2"/></joint>
-  <joint name="y" type="prismatic"><parent link="slide_x"/><child link="slide_y"/><axis xyz="0 1 0"/><limit lower="-2" upper="2"/></joint>
-  <joint name="z" type="prismatic"><parent link="slide_y"/><child link="slide_z"/><axis xyz="0 0 1"/><limit lower="0" upper="2"/></joint>
-  <joint name="yaw" type="revolute"><parent link="slide_z"/><child link="wrist"/><axis xyz="0 0 1"/><limit lower="-3" upper="3"/></joint>
-  <joint name="tilt" type="revolute"><origin rpy="3.14159265358979323846 0 0"/><parent link="wrist"/><child link="hand"/><axis xyz="1 0 0"/><limit lower="-1" upper="1"/></joint>
-  <joint name="finger_left" type="prismatic"><parent link="hand"/><child link="left"/><axis xyz="0 1 0"/><limit lower="0" upper="0.04"/></joint>
-  <joint name="finger_right" type="prismatic"><parent link="hand"/><child link="right"/><axis xyz="0 -1 0"/><limit lower="0" upper="0.04"/></joint>
-  <joint name="tcp_joint" type="fixed"><origin xyz="0 0 0.05"/><parent link="hand"/><child link="tcp"/></joint>
+  <joint name="x" type="prismatic">
+    <parent link="base"/><child link="slide_x"/><axis xyz="1 0 0"/><limit lower="-2" upper="2"/>
+  </joint>
+  <joint name="y" type="prismatic">
+    <parent link="slide_x"/><child link="slide_y"/><axis xyz="0 1 0"/><limit lower="-2" upper="2"/>
+  </joint>
+  <joint name="z" type="prismatic">
+    <parent link="slide_y"/><child link="slide_z"/><axis xyz="0 0 1"/><limit lower="0" upper="2"/>
+  </joint>
+  <joint name="yaw" type="revolute">
+    <parent link="slide_z"/><child link="wrist"/><axis xyz="0 0 1"/><limit lower="-3" upper="3"/>
+  </joint>
+  <joint name="tilt" type="revolute"><origin rpy="3.14159265358979323846 0 0"/>
+    <parent link="wrist"/><child link="hand"/><axis xyz="1 0 0"/><limit lower="-1" upper="1"/>
+  </joint>
+  <joint name="finger_left" type="prismatic">
+    <parent link="hand"/><child link="left"/><axis xyz="0 1 0"/><limit lower="0" upper="0.04"/>
+  </joint>
+  <joint name="finger_right" type="prismatic">
+    <parent link="hand"/><child link="right"/><axis xyz="0 -1 0"/><limit lower="0" upper="0.04"/>
+  </joint>
+  <joint name="tcp_joint" type="fixed"><origin xyz="0 0 0.05"/>
+    <parent link="hand"/><child link="tcp"/>
+  </joint>
 </robot>
 )";
 

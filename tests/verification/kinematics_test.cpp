@@ -58,7 +58,7 @@ ManipulatorDescription arm(const std::string& joint_prefix, const std::string& t
 void expectPandaCheckValue(const Kinematics& panda) {
   Eigen::VectorXd q(7);
   q << 0, -.785, 0, -2.356, 0, 1.571, .785;
-  const Vector3d p = panda.linkPoses(q, 0.0)[static_cast<std::size_t>(panda.tcpLink())].translation();
+  const Vector3d p = panda.linkPoses(q, 0.0)[panda.tcpLink()].translation();
   EXPECT_LT((p - Vector3d(.30702, 0, .48687)).norm(), 2e-5) << p.transpose();
 }
 
@@ -87,9 +87,7 @@ TEST(KinematicsTest, GantryStandsWhereHandComputationSays) {
   const auto X_WL = robot.linkPoses(q, 0.06);
   // The base's quarter turn maps (1, 2) to (-2, 1); half a turn in all maps the hand's y to -y, its tilt by
   // pi back to y.
-  const auto at = [&](const char* link) {
-    return X_WL[static_cast<std::size_t>(robot.tree().linkIndex(link))];
-  };
+  const auto at = [&](const char* link) { return X_WL[robot.tree().linkIndex(link)]; };
   EXPECT_TRUE(at("hand").translation().isApprox(Vector3d(8, 21, 30.5), 1e-12));
   EXPECT_TRUE(at("tcp").translation().isApprox(Vector3d(8, 21, 30.45), 1e-12));
   EXPECT_TRUE(at("left").translation().isApprox(Vector3d(8, 21.03, 30.5), 1e-12));
