@@ -36,11 +36,13 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
   requireTimeLimit(settings.time_limit_s, where, "time limit");
   const PlannerKind& kind = catalogue.find(settings.planner, where);
   const auto prepare = [this, starts = kind.start_states](const ob::PlannerTerminationCondition& done) {
+    state_checks_ = problem_.counts->states;
+    edge_checks_ = problem_.counts->edges;
     addStartStates(problem_, starts, derivedSeed(settings_.seed, kStartStream), done);
   };
   const auto finish = [this] {
-    state_checks_ = problem_.counts->states;
-    edge_checks_ = problem_.counts->edges;
+    state_checks_ = problem_.counts->states - state_checks_;
+    edge_checks_ = problem_.counts->edges - edge_checks_;
   };
   planner_ = std::make_shared<DeadlinePlanner>(
       makePlanner(kind, settings.parameters, settings.threads, problem_.si, where), settings.time_limit_s,

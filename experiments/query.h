@@ -45,7 +45,7 @@ class Query {
   PlanResult result(const ompl::base::PlannerStatus& status) const;
   PlanResult result() const { return result(status_); }
 
-  /// Checks asked for by the planner, not counting those that others made afterwards.
+  /// Checks asked for by the planner, not counting those that others made before and afterwards.
   std::uint64_t stateChecks() const { return state_checks_; }
   std::uint64_t edgeChecks() const { return edge_checks_; }
 

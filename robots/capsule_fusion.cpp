@@ -2,6 +2,7 @@
 #include "robots/capsule_fusion.h"
 
 #include <cmath>
+#include <utility>
 
 namespace b4p {
 namespace {

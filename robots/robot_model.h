@@ -22,7 +22,7 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector in J
   double lower = 0.0;                               ///< rad or m; finite, lower < upper unless fixed
   double upper = 0.0;
-  double max_velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s; > 0
+  double max_velocity = std::numeric_limits<double>::infinity();  ///< rad/s or m/s; > 0 (URDF: 0 is none)
   int parent_link = -1;
   int child_link = -1;
   std::string mimicked_joint;  ///< joint whose value this one repeats (multiplier 1, offset 0); mostly empty
@@ -57,7 +57,7 @@ struct RobotModel {
 ///   link that is its own ancestor, several roots, limits missing, reversed or non-finite, a zero or
 ///   non-finite axis, non-finite origins, sizes that are not positive, an unknown shape, a missing or empty
 ///   mesh, fewer shapes loaded than declared, joint types other than fixed, revolute, continuous, prismatic.
-///   Non-unit axes are normalised.
+///   Non-unit axes are normalised. A mimic joint may only repeat the other's value.
 RobotModel loadUrdf(const std::string& file);
 
 }  // namespace b4p

@@ -90,7 +90,7 @@ struct DistanceFromLine {
   }
 
   /// Bound for the disc of the given radius at height z. Seen along the line the disc is an ellipse whose
-  /// minor half-axis is radius * |cos| of the angle between line and z. Two boxes around the ellipse bound
+  /// minor half-axis is radius * |cos| of the angle between line and z. Two figures around the ellipse bound
   /// it: its circumscribed circle and its bounding rectangle; the first is exact along z, the second across
   /// it.
   double disc(double z, double radius) const {

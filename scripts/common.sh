@@ -30,6 +30,7 @@ build_jobs() {
   echo "$jobs"
 }
 
+# Usage: build_release TARGET...
 build_release() {
   local launcher=()
   if command -v ccache >/dev/null; then
@@ -39,5 +40,5 @@ build_release() {
   heading "Configuring (preset release)"
   cmake --preset release "${launcher[@]}"
   heading "Building with $(build_jobs) jobs"
-  cmake --build --preset release --parallel "$(build_jobs)"
+  cmake --build --preset release --parallel "$(build_jobs)" --target "$@"
 }

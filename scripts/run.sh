@@ -27,7 +27,7 @@ done
 
 mkdir -p "$out"
 [[ $install == no ]] || "$root/scripts/install.sh"
-build_release
+build_release b4p
 cd "$out"
 
 b4p="$root/build/release/experiments/b4p"

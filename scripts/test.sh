@@ -17,7 +17,7 @@ for option in "$@"; do
 done
 
 [[ $install == no ]] || "$root/scripts/install.sh"
-build_release
+build_release all
 
 heading "Testing"
 ctest --preset release

@@ -25,7 +25,10 @@ struct CollisionProblem {
   double edge_step_m = 0.01;
   /// Robot and held object are grown by this much in all directions (m). With edge_step_m / 2, the
   /// default (any negative value), an edge found free is free everywhere, between the checks as well: no
-  /// point is farther than half a step from one that was checked. 0 checks the bare shapes.
+  /// point is farther than half a step from one that was checked. 0 checks the bare shapes. Between two
+  /// links, or link and held object, each carries its own padding, since each may move half a step. What does
+  /// not move has none: obstacles, links fixed to the base, and the held object towards the link that carries
+  /// it.
   double padding_m = -1.0;
 };
 
@@ -33,7 +36,10 @@ struct CollisionProblem {
 /// and itself, the held object against the obstacles and the robot's links, fingers excepted.
 ///
 /// q arrays hold dof() values. `held` is the grasp with which the object is carried; nullptr: nothing is
-/// carried, fingers fully open. All functions throw std::invalid_argument on non-finite q or grasp.
+/// carried, fingers fully open. All functions throw std::invalid_argument on non-finite q or grasp, and on a
+/// grasp that opens farther than the gripper can. Never checked against each other: links that no planned
+/// joint moves one relative to the other, links joined by one joint (with what is fixed to them), pairs that
+/// the robot's description skips, and the held object and the finger links.
 class CollisionContext {
  public:
   virtual ~CollisionContext() = default;
@@ -46,10 +52,12 @@ class CollisionContext {
 
   /// Largest fraction t such that q1 + s (q2 - q1) was found free at every check with s <= t, q1 included; 1
   /// when the whole edge is free, a negative value when q1 is not free. isEdgeFree(q1, q2) is
-  /// freeFraction(q1, q2) == 1, and the edge from q1 to the configuration at t is free by isEdgeFree again.
+  /// freeFraction(q1, q2) == 1, and the edge from q1 to the configuration at t, computed as q1 + t (q2 - q1),
+  /// is free by isEdgeFree again.
   virtual double freeFraction(const double* q1, const double* q2, const Grasp* held) = 0;
 
-  /// Names of the first colliding pair at q ("panda_hand, shelf_top"), or "" when free. Slow; for messages.
+  /// Names of the first colliding pair at q ("panda_hand, shelf_top"; the object is called "held object"), or
+  /// of the joint outside its limits, or "" when free. Slow; for messages.
   virtual std::string describeCollision(const double* q, const Grasp* held) = 0;
 };
 
@@ -63,7 +71,9 @@ class CollisionChecker {
 };
 
 /// The exact reference, through FCL.
-/// @throws std::invalid_argument for a missing robot, steps that are not positive and finite, bad shapes.
+/// @throws std::invalid_argument for a missing robot, steps that are not positive and finite, bad shapes, and
+/// a link that
+///   never moves inside an obstacle, naming both.
 std::shared_ptr<const CollisionChecker> makeFclChecker(CollisionProblem problem);
 
 }  // namespace b4p

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_validity/posed_pieces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -32,12 +31,13 @@ PosedPieces::PosedPieces(std::shared_ptr<const FclWorld> world) : world_(std::mo
   const CollisionPieces& pieces = world_->pieces();
   const Manipulator& robot = world_->robot();
   X_WS_.resize(index(pieces.count()), Eigen::Isometry3d::Identity());
+  boxes_.resize(index(pieces.count()));
   aabbs_.resize(index(pieces.count()));
   robot.linkPoses(robot.lower().data(), robot.description().max_opening_m, X_WL_);
   for (int i = pieces.stillBegin(); i < pieces.count(); ++i) {
     const int link = pieces[i].link;
     X_WS_[index(i)] = link < 0 ? pieces[i].X_BS : X_WL_[index(link)] * pieces[i].X_BS;
-    aabbs_[index(i)] = pieces[i].bounds.aabb(X_WS_[index(i)]);
+    bound(i);
   }
   travel_ = Eigen::MatrixXd::Zero(robot.dof(), pieces.stillBegin());
   travel_.leftCols(pieces.objectBegin()) = world_->linkTravel();
@@ -82,16 +82,19 @@ void PosedPieces::place(const double* q) {
     const Eigen::Isometry3d X_WO = X_WL_[index(robot.tcpLink())] * X_TO_;
     for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i) X_WS_[index(i)] = X_WO * pieces[i].X_BS;
   }
-  for (int i = 0; i < movingCount(); ++i) aabbs_[index(i)] = pieces[i].bounds.aabb(X_WS_[index(i)]);
+  for (int i = 0; i < movingCount(); ++i) bound(i);
+}
+
+void PosedPieces::bound(int i) {
+  boxes_[index(i)] = world_->pieces()[i].bounds.posed(X_WS_[index(i)]);
+  aabbs_[index(i)] = boxes_[index(i)].aabb();
 }
 
 double PosedPieces::gap(const PiecePair& pair, double enough_m) const {
   const std::size_t a = index(pair.a), b = index(pair.b);
   const double aabb_gap_m = aabbs_[a].gapTo(aabbs_[b]);
   if (aabb_gap_m > enough_m) return aabb_gap_m;
-  const CollisionPieces& pieces = world_->pieces();
-  return std::max(aabb_gap_m,
-                  separation({pieces[pair.a].bounds, X_WS_[a]}, {pieces[pair.b].bounds, X_WS_[b]}, enough_m));
+  return separation(boxes_[a], boxes_[b], aabb_gap_m, kClearlyApart_m, enough_m);
 }
 
 bool PosedPieces::overlap(const PiecePair& pair, FclShape Piece::*shape) {

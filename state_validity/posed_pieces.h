@@ -32,8 +32,8 @@ class PosedPieces {
   /// A pair that collides at all configurations with what is held, nullptr if there is none.
   const PiecePair* rigidCollision() const { return rigid_collision_; }
 
-  /// Lower bound (m) of the distance of two grown pieces as placed; 0 if they may overlap. A bound
-  /// beyond `enough_m` is not improved.
+  /// Lower bound (m) of the distance of two grown pieces as placed; 0 if they may overlap. It is exact enough
+  /// to tell whether it exceeds kClearlyApart_m or `enough_m`, not beyond.
   double gap(const PiecePair& pair, double enough_m) const;
 
   /// Whether two grown pieces overlap as placed. FCL decides unless they are clearly apart.
@@ -58,6 +58,7 @@ class PosedPieces {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+  void bound(int i);
   const PiecePair* findRigidCollision();
   bool overlap(const PiecePair& pair, FclShape Piece::*shape);
 
@@ -70,7 +71,8 @@ class PosedPieces {
   Eigen::Isometry3d X_TO_ = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> X_WL_;
   std::vector<Eigen::Isometry3d> X_WS_;
-  std::vector<Aabb> aabbs_;  ///< of the grown pieces
+  std::vector<RoundedBox> boxes_;  ///< around the grown pieces
+  std::vector<Aabb> aabbs_;        ///< around the boxes
   Eigen::MatrixXd travel_;
   fcl::CollisionRequestd request_;
   fcl::CollisionResultd result_;

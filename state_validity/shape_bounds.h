@@ -23,16 +23,27 @@ struct Aabb {
   }
 };
 
-/// A box in the shape's frame S, rounded by a ball, that contains the shape: loose for meshes and sideways
-/// for cylinders, exact otherwise. Turns into an axis-aligned box of another frame without asking for the
-/// shape's type.
+/// A box in any orientation, rounded by a ball.
+struct RoundedBox {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d half_axes =
+      Eigen::Matrix3d::Zero();  ///< columns: from the centre to the middles of three faces
+  double radius = 0.0;          ///< of the ball (m)
+
+  Aabb aabb() const {
+    return {centre, half_axes.cwiseAbs().rowwise().sum() + Eigen::Vector3d::Constant(radius)};
+  }
+};
+
+/// A rounded box along the axes of the shape's frame S that contains the shape: loose for meshes and sideways
+/// for cylinders, exact otherwise.
 struct ShapeBounds {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the box, in S
   Eigen::Vector3d half = Eigen::Vector3d::Zero();    ///< half side lengths of the box (m)
   double radius = 0.0;                               ///< of the ball (m)
 
-  Aabb aabb(const Eigen::Isometry3d& X_WS) const {
-    return {X_WS * centre, X_WS.linear().cwiseAbs() * half + Eigen::Vector3d::Constant(radius)};
+  RoundedBox posed(const Eigen::Isometry3d& X_WS) const {
+    return {X_WS * centre, X_WS.linear() * half.asDiagonal(), radius};
   }
 };
 

@@ -25,7 +25,7 @@ struct Options {
   std::string scene;
   std::string planner = "b4p";
   std::vector<std::string> parameters;
-  std::uint64_t seed = 1;
+  std::int64_t seed = 1;
   int threads = 1;
   double time_limit_s = 0.0;
   bool has_time_limit = false;
@@ -48,10 +48,12 @@ PlannerParameters parsed(const std::vector<std::string>& words) {
 QuerySettings settingsFrom(const Options& options, const Scene& scene) {
   if (options.threads < 1)
     throw InputError(kWhere, "--threads", "has to be at least 1 (" + std::to_string(options.threads) + ")");
+  if (options.seed < 0)
+    throw InputError(kWhere, "--seed", "has to be at least 0 (" + std::to_string(options.seed) + ")");
   QuerySettings settings;
   settings.planner = options.planner;
   settings.parameters = parsed(options.parameters);
-  settings.seed = options.seed;
+  settings.seed = static_cast<std::uint64_t>(options.seed);
   settings.threads = static_cast<unsigned>(options.threads);
   settings.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;
   requireTimeLimit(settings.time_limit_s, kWhere, "--time-limit-s");

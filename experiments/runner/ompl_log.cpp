@@ -44,8 +44,9 @@ void OmplLog::add(const std::string& label, const CompleteExperiment& recorded,
   for (const auto& [name, value] : own_columns) run[name] = value;
   target.runs.push_back(run);
   target.progressPropertyNames = source.progressPropertyNames;
-  // Each recorded run has its line of progress, be it empty.
-  if (!target.progressPropertyNames.empty())
+  // OMPL lists the time even for planners without progress properties. Of the others, each run has its line,
+  // be it empty.
+  if (target.progressPropertyNames.size() > 1)
     target.runsProgressData.push_back(source.runsProgressData.empty() ? RunProgressData()
                                                                       : source.runsProgressData.front());
 }

@@ -20,9 +20,10 @@ struct Separation {
   bool apart() const { return distance_m > kTouching_m; }
 };
 
-/// The widest gap that the Gilbert-Johnson-Keerthi iteration finds between a and b: their distance, to a
-/// relative 1e-8, when they are apart. An iteration that breaks down numerically cannot turn contact into a
-/// gap, since only the support functions decide how wide a gap is.
+/// The widest gap that the Gilbert-Johnson-Keerthi iteration finds between a and b: when they are apart,
+/// their distance, rarely less by up to 1e-5 m (thin curved bodies; boxes and balls are exact to 1e-7). An
+/// iteration that breaks down numerically cannot turn contact into a gap, since only the support functions
+/// decide how wide a gap is.
 /// @param hint  direction tried first, not zero: best the one of a similar pair of poses
 Separation separation(const ConvexBody& a, const Eigen::Isometry3d& X_WA, const ConvexBody& b,
                       const Eigen::Isometry3d& X_WB, const Eigen::Vector3d& hint);

@@ -13,12 +13,15 @@ from b4p_figures.success import earliest_time_s
 NOTE = "dots: solved and verified runs; crosses at the budget: the others; bars: quartiles and median of solved runs"
 SPREAD = 0.22  # half width of a planner's column of dots
 BAR_HALF_WIDTH = 0.3
-ROOM_ABOVE_BUDGET = 1.6
+ROOM_ABOVE_BUDGET = 3.0
 
 
 def draw_times(axes: Axes, experiment: Experiment, planner_looks: dict[str, Look]) -> None:
     for position, planner in enumerate(experiment.planners):
         _draw_planner(axes, position, planner, planner_looks[planner.name]["color"], experiment.time_limit_s)
+        solved = f"{len(planner.solved_times_s)} of {len(planner.runs)}"
+        above = (position, experiment.time_limit_s)
+        axes.annotate(solved, above, (0, 6), textcoords="offset points", ha="center", fontsize="small")
     axes.axhline(experiment.time_limit_s, color="#888888", linewidth=1, linestyle="--")
     axes.set_yscale("log")
     axes.set_ylim(earliest_time_s(experiment), experiment.time_limit_s * ROOM_ABOVE_BUDGET)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robots/inverse_kinematics.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <stdexcept>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robots/kinematic_chain.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <thread>

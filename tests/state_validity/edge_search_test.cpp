@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "state_validity/fcl_context.h"
+#include "state_validity/separation.h"
 #include "tests/state_validity/crane.h"
 #include "tests/state_validity/panda.h"
 
@@ -37,6 +38,30 @@ TEST(EdgeSearch, AnswersAsEverySampleTogether) {
     ++(first > samples.last() ? free : blocked);
   }
   EXPECT_GT(std::min(free, blocked), 100);
+}
+
+// Boxes along the axes have a distance that anybody can work out; turning both together changes nothing.
+TEST(Separation, IsALowerBoundAndCloseToTheDistance) {
+  std::mt19937_64 random(41);
+  std::uniform_real_distribution<> size(0.01, 0.4), place(-1.0, 1.0);
+  const auto vector = [&](auto& range) {
+    return Eigen::Vector3d(range(random), range(random), range(random));
+  };
+  constexpr double kEnough_m = 0.1, kNeverClear_m = 100.0;
+  int far_apart = 0, recognised = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const ShapeBounds a{vector(place), vector(size), 0.1 * size(random)}, b{vector(place), vector(size), 0.0};
+    const Eigen::Isometry3d X = Eigen::Translation3d(vector(place)) *
+                                Eigen::AngleAxisd(3.0 * place(random), vector(place).normalized());
+    const double distance =
+        ((a.centre - b.centre).cwiseAbs() - a.half - b.half).cwiseMax(0.0).norm() - a.radius;
+    const double bound = separation(a.posed(X), b.posed(X), 0.0, kNeverClear_m, kEnough_m);
+    ASSERT_LE(bound, std::max(0.0, distance) + 1e-12);
+    far_apart += distance > 1.2 * kEnough_m;
+    recognised += bound > kEnough_m;
+  }
+  EXPECT_GT(far_apart, 500);
+  EXPECT_GT(recognised, 0.95 * far_apart);
 }
 
 TEST(EdgeSamples, AreTheSameBackwardsAndEndExactly) {

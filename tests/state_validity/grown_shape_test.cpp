@@ -74,7 +74,7 @@ TEST(ShapeBounds, ContainTheShapeInAnyPose) {
     for (int i = 0; i < 200; ++i) {
       PlacedShape placed = placedAt(named.shape, randomDirection(random));
       placed.X_BS.rotate(Eigen::AngleAxisd(3.0 * randomDirection(random).x(), randomDirection(random)));
-      const Aabb aabb = boundsOf(named.shape).aabb(placed.X_BS);
+      const Aabb aabb = boundsOf(named.shape).posed(placed.X_BS).aabb();
       for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d u = Eigen::Vector3d::Unit(axis);
         EXPECT_LE(extentAlong(placed, u), aabb.centre[axis] + aabb.half[axis] + 1e-12) << named.name;

@@ -148,6 +148,16 @@ class LinkPairsTest : public testing::Test {
 
 TEST_F(LinkPairsTest, NeighboursAndLinksThatNoPathMovesApartAreNotCompared) { EXPECT_EQ(contact(), ""); }
 
+TEST_F(LinkPairsTest, ClearanceIsExactBetweenThingsFarApart) {
+  for (const double x : {5.0, 5.2, -7.0})
+    scene_.obstacles.push_back({"pea", {Sphere{0.01}, Eigen::Isometry3d(Eigen::Translation3d(x, 0, 0))}});
+  const Kinematics robot(scene_.robot.urdf_file, scene_.robot.description, scene_.X_WB);
+  CollisionSweep sweep(scene_, robot, {}, kStep_m);
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(2);
+  EXPECT_FALSE(sweep.firstContact(q, q).has_value());
+  EXPECT_NEAR(sweep.clearance_m(), 5.0 - 0.01 - 0.45 - 0.1, 1e-6);  // d is the ball that lies farthest out
+}
+
 TEST_F(LinkPairsTest, OtherLinksAre) {
   // d reaches past b to a, through which no joint leads directly.
   scene_.robot.urdf_file = test::writeFile(

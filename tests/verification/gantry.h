@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -60,9 +61,25 @@ inline const char* const kGantryUrdf = R"(<?xml version="1.0"?>
 </robot>
 )";
 
-/// A file of this process in the folder for temporary files.
+/// A folder of this process, gone when it ends.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(testing::TempDir() + "b4p_verification_" + std::to_string(getpid()) + "/") {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 inline std::string temporaryFile(const std::string& name) {
-  return testing::TempDir() + "b4p_verification_" + std::to_string(getpid()) + "_" + name;
+  static const TemporaryFolder folder;
+  return folder.path() + name;
 }
 
 inline std::string writeFile(const std::string& name, const std::string& content) {

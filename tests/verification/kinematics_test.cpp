@@ -106,12 +106,27 @@ TEST(KinematicsTest, RollPitchYawTurnAboutFixedAxesInThatOrder) {
   EXPECT_TRUE((tree.joints[0].X_PJ * Vector3d(0, 0, 1)).isApprox(Vector3d(2, 2, 3), 1e-12));
 }
 
+/// A crane: it turns, and its boom slides out from there.
+Kinematics crane() {
+  ManipulatorDescription description;
+  description.joints = {"turn", "boom"};
+  description.tcp_link = "hook";
+  return Kinematics(
+      test::writeFile("crane.urdf",
+                      "<robot name='crane'><link name='base'/><link name='cab'/><link name='hook'/>"
+                      "<joint name='turn' type='revolute'><parent link='base'/><child link='cab'/>"
+                      "<axis xyz='0 0 1'/><limit lower='-3' upper='3'/></joint>"
+                      "<joint name='boom' type='prismatic'><parent link='cab'/><child link='hook'/>"
+                      "<axis xyz='1 0 0'/><limit lower='0' upper='2'/></joint></robot>"),
+      description, Isometry3d::Identity());
+}
+
 TEST(KinematicsTest, NoPointMovesFartherThanTheBound) {
   const Kinematics panda(test::writeFile("panda.urdf", pandaUrdf()), arm("j", "tcp"), Isometry3d::Identity());
-  const Kinematics slider = gantry();
+  const Kinematics slider = gantry(), turner = crane();
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (const Kinematics* robot : {&panda, &slider})
+  for (const Kinematics* robot : {&panda, &slider, &turner})
     for (int i = 0; i < 3000; ++i) {
       Eigen::VectorXd q1(robot->dof()), q2(robot->dof());
       for (int j = 0; j < robot->dof(); ++j) {

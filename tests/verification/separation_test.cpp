@@ -206,6 +206,21 @@ TEST_F(SeparationTest, ThinPlatesThatCrossAreNotAndThatFaceEachOtherAreApart) {
   }
 }
 
+// Moving one body towards the other along the gap takes exactly that much from the distance.
+TEST_F(SeparationTest, NarrowGapsAreMeasuredToo) {
+  for (int i = 0; i < 4 * kPoses; ++i) {
+    const ConvexBody a = anyBody(), b = anyBody();
+    const Isometry3d A = pose(2), B = pose(2);
+    const Separation wide = separation(a, A, b, B, vector(1));
+    if (!wide.apart()) continue;
+    const double gap = std::pow(10.0, uniform(-6, -2));
+    const Isometry3d nearer = Eigen::Translation3d(-(wide.distance_m - gap) * wide.direction) * A;
+    const double found = distance(a, nearer, b, B);
+    EXPECT_GE(found, 0.9 * gap) << i;
+    EXPECT_LE(found, gap + 1e-5) << i;  // `wide` may have fallen short by its accuracy
+  }
+}
+
 TEST_F(SeparationTest, TouchingWithinANanometreIsContact) {
   const ConvexBody box = ConvexBody::box({1, 1, 1});
   const Isometry3d origin = Isometry3d::Identity();

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the b4p command promises when its input is sound: exit codes, files, seeds, interrupts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <regex>
+#include <thread>
+
+#include "experiments/fixtures.h"
+#include "experiments/result.h"
+
+namespace b4p::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string withoutTimings(const std::string& json) {
+  return std::regex_replace(json, std::regex("\"planning_time_s\": *[^,}]*"), "");
+}
+
+TEST(Command, ListNamesScenesAndPlanners) {
+  const CommandRun run = runB4p("list");
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* name : {"maze", "grocery", "b4p", "b4p-paper", "rrtconnect", "repair_iterations"})
+    EXPECT_THAT(run.out, HasSubstr(name));
+}
+
+TEST(Command, HelpStatesUnitsAndDefaults) {
+  const CommandRun run = runB4p("plan --help");
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* text : {"--time-limit-s", "seconds", "--seed", "=1", "--threads", "--out", "result.json"})
+    EXPECT_THAT(run.out, HasSubstr(text));
+}
+
+TEST(Command, PlanWritesAVerifiedResultThatVerifyAccepts) {
+  const SceneCopy copy;
+  for (const char* planner : {"b4p", "b4p-paper", "rrtconnect"}) {
+    const std::string file = copy.folder() / "r.json";
+    const CommandRun run = runB4p("plan " + copy.scene() + " --planner " + planner + " --out " + file);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const PlanResult result = readResult(file);
+    EXPECT_TRUE(result.solved);
+    EXPECT_TRUE(result.verification.passed);
+    EXPECT_EQ(runB4p("verify " + file).exit_code, 0);
+  }
+}
+
+TEST(Command, OneThreadAndOneSeedGiveTheSameBytes) {
+  const SceneCopy copy;
+  const auto plan = [&](const std::string& planner, int seed) {
+    const std::string file = copy.folder() / "r.json";
+    EXPECT_EQ(runB4p("plan " + copy.scene() + " --planner " + planner + " --seed " + std::to_string(seed) +
+                     " --out " + file)
+                  .exit_code,
+              0);
+    return withoutTimings(readFile(file));
+  };
+  for (const char* planner : {"b4p", "b4p-paper", "rrtconnect"}) {
+    EXPECT_EQ(plan(planner, 3), plan(planner, 3)) << planner;
+    EXPECT_NE(plan(planner, 3), plan(planner, 4)) << planner;
+  }
+}
+
+TEST(Command, ForestsHoldBothSides) {
+  const SceneCopy copy;
+  const std::string file = copy.folder() / "f.json";
+  ASSERT_EQ(runB4p("plan " + copy.scene() + " --out " + copy.folder() / "r.json --forests " + file).exit_code,
+            0);
+  const std::string text = readFile(file);
+  for (const char* part :
+       {"\"schema\":1", "\"scene\":\"easy\"", "\"side\":0", "\"side\":1", "\"parent\":-1", "\"parent\":0"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Command, UnsolvedSceneEndsWithOneInsideItsTimeLimit) {
+  // The wall reaches across all that the robot reaches.
+  const std::vector<SceneCopy::Change> closed{{"size_m: [0.1, 1.2, 0.1]", "size_m: [0.1, 9.0, 0.1]"}};
+  const SceneCopy copy(closed);
+  for (const char* planner : {"b4p", "b4p-paper", "rrtconnect"}) {
+    const std::string file = copy.folder() / "r.json";
+    const CommandRun run =
+        runB4p("plan " + copy.scene() + " --time-limit-s 0.3 --planner " + planner + " --out " + file);
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    const PlanResult result = readResult(file);
+    EXPECT_FALSE(result.solved);
+    EXPECT_GE(result.planning_time_s, 0.3);
+    EXPECT_LT(result.planning_time_s, 3.0) << planner;
+    EXPECT_EQ(runB4p("verify " + file).exit_code, 1);
+  }
+}
+
+TEST(Command, TamperedResultEndsWithThree) {
+  const SceneCopy copy;
+  const std::string file = copy.folder() / "r.json";
+  ASSERT_EQ(runB4p("plan " + copy.scene() + " --out " + file).exit_code, 0);
+  PlanResult result = readResult(file);
+  result.path.insert(result.path.begin() + 1, {1.0, -0.5, 0.0});  // inside the wall
+  writeResult(file, result);
+  const CommandRun run = runB4p("verify " + file);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.out, HasSubstr("FAILED"));
+}
+
+/// An experiment with one run that ends at once and one that would take for ever.
+std::string slowExperiment(const TemporaryFolder& folder) {
+  const std::string file = folder / "slow.yaml";
+  const std::string blocked =
+      replaced(replaced(readFile(folder / "easy.yaml"), "size_m: [0.1, 1.2, 0.1]", "size_m: [0.1, 9.0, 0.1]"),
+               "name: easy", "name: blocked");
+  writeText(folder / "blocked.yaml", blocked);
+  writeText(file,
+            "schema: 1\nname: slow\nruns: 1\ntime_limit_s: 600\nthreads: 1\nseed: 1\n"
+            "scenes: [easy.yaml, blocked.yaml]\nplanners:\n  - {label: first, planner: b4p}\n");
+  return file;
+}
+
+TEST(Command, InterruptedBenchmarkKeepsFinishedRuns) {
+  const SceneCopy copy;
+  const std::string experiment = slowExperiment(copy.folder());
+  const std::string out = copy.folder() / "out";
+  const std::string pid_file = copy.folder() / "pid";
+  CommandRun run;
+  std::thread command([&] { run = runB4p("bench " + experiment + " --out " + out, pid_file); });
+  // The second run begins when the first one's summary is there.
+  for (int i = 0; i < 600 && !std::filesystem::exists(out + "/summary.md"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const int pid = std::stoi(readFile(pid_file));
+  ::kill(pid, SIGINT);
+  command.join();
+  EXPECT_EQ(run.exit_code, 130) << run.err;
+  EXPECT_THAT(readFile(out + "/easy.log"), HasSubstr("1 runs\n"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/blocked.log"));
+  EXPECT_THAT(readFile(out + "/summary.md"), HasSubstr("1 of 2 planned runs recorded"));
+  EXPECT_EQ(readResult(out + "/results/easy-first-1.json").solved, true);
+  for (const std::string& file : copy.folder().files())
+    EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+}
+
+}  // namespace
+}  // namespace b4p::test
