@@ -53,9 +53,9 @@ PlannerCatalogue PlannerCatalogue::standard() {
   catalogue.add({"b4p",
                  "B4P, default search: roots without limit, every grasp served in turn, connections across "
                  "grasps repaired",
-                 1, [](const ob::SpaceInformationPtr& si) { return std::make_shared<B4P>(si); }});
+                 0, [](const ob::SpaceInformationPtr& si) { return std::make_shared<B4P>(si); }});
   catalogue.add({"b4p-paper", "B4P as printed: a fixed number of roots, one forest per side for all grasps",
-                 1, makePaperB4P});
+                 0, makePaperB4P});
   catalogue.add(
       {"rrtconnect", "OMPL's RRTConnect on joints x grasp, all picks as starts, placements as goals",
        kManyStarts,

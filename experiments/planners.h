@@ -14,8 +14,8 @@ namespace b4p {
 struct PlannerKind {
   std::string name;
   std::string description;
-  /// How many picks a problem gets as start states. 1 for planners that draw picks by themselves.
-  int start_states = 1;
+  /// How many picks a problem gets as start states. 0 for planners that draw picks by themselves.
+  int start_states = 0;
   std::function<ompl::base::PlannerPtr(const ompl::base::SpaceInformationPtr&)> make;
 };
 

@@ -14,9 +14,9 @@ namespace b4p {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr int kGraspDraws = 200;
+constexpr int kGraspDraws = 400;
 constexpr int kEnoughGrasps = 20;
-constexpr int kPlacementDraws = 200;
+constexpr int kPlacementDraws = 400;
 
 void requireObjectFree(const Problem& problem) {
   FloatingBody object(*FloatingBody::makeChecker(problem.checker->problem(), FloatingBody::Parts::kObject));

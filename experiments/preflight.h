@@ -5,7 +5,8 @@
 
 namespace b4p {
 
-/// Finds scenes that no planner can solve, before any planning. Takes less than a second on a sound scene.
+/// Finds scenes that no planner can solve, before any planning. Takes less than a second on a sound scene,
+/// seconds on one that is refused.
 /// @throws InputError when the object collides at its start pose, none of many grasps drawn is valid there
 /// (with the
 ///   commonest reason), or no placement drawn can be reached with any grasp that is

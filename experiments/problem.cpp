@@ -32,8 +32,9 @@ std::shared_ptr<const CollisionChecker> makeChecker(const Scene& scene,
   }
 }
 
-/// Between two grasps there is no motion, so nothing of it is ever reached. OMPL's RRTConnect then sees at once that it is
-/// trapped; were it led nearer and nearer to a state of another grasp, it would follow without end.
+/// Between two grasps there is no motion, so nothing of it is ever reached. OMPL's RRTConnect then sees at
+/// once that it is trapped; were it led nearer and nearer to a state of another grasp, it would follow
+/// without end.
 class SceneStateSpace : public ManipulationStateSpace {
  public:
   using ManipulationStateSpace::ManipulationStateSpace;

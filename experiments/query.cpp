@@ -60,7 +60,7 @@ PlanResult Query::result(const ob::PlannerStatus& status) const {
   PlanResult result;
   result.scene = scene_name_;
   result.planner = settings_.planner;
-  result.parameters = settings_.parameters;
+  planner_->params().getParams(result.parameters);
   result.seed = settings_.seed;
   result.threads = settings_.threads;
   result.time_limit_s = settings_.time_limit_s;
@@ -83,6 +83,10 @@ PlanResult Query::result(const ob::PlannerStatus& status) const {
   result.X_WO_pick = problem_.region->objectPose(result.path.front().data(), result.grasp);
   result.X_WO_place = problem_.region->objectPose(result.path.back().data(), result.grasp);
   return result;
+}
+
+bool crashed(const PlanResult& result) {
+  return result.status == ob::PlannerStatus(ob::PlannerStatus::CRASH).asString();
 }
 
 void requireTimeLimit(double time_limit_s, const std::string& where, const std::string& element) {

@@ -23,7 +23,7 @@ struct QuerySettings {
 };
 
 /// One run of one planner on one scene. The time limit covers all that happens after construction: the
-/// drawing of start states (planners that draw their own picks get one), the planner, the joining of its
+/// drawing of start states (planners that draw picks by themselves get none), the planner, the joining of its
 /// threads. On one thread the seed determines the path.
 ///
 /// Seeds OMPL's global generator, so only one query may be made and run at a time in a process.
@@ -58,6 +58,9 @@ class Query {
   std::uint64_t state_checks_ = 0;
   std::uint64_t edge_checks_ = 0;
 };
+
+/// Whether the planner ended by an exception, its own handling of it included.
+bool crashed(const PlanResult& result);
 
 /// @throws InputError unless a time limit (s) is positive and finite
 void requireTimeLimit(double time_limit_s, const std::string& where, const std::string& element);

@@ -34,10 +34,11 @@ struct GraspSource {
 
 /// Where the object's origin may come to rest, in the world.
 struct PlacementSource {
-  Eigen::Vector3d min_m, max_m;            ///< box of positions
-  bool upright = false;                    ///< z of O is vertical at the end
+  Eigen::Vector3d min_m, max_m;  ///< box of positions
+  bool upright = false;          ///< z of O is vertical at the end
   double yaw_min_rad = -3.14159265358979323846;
-  double yaw_max_rad = 3.14159265358979323846;  ///< orientation: R_start_upright turned about the world z by a yaw in this window
+  double yaw_max_rad = 3.14159265358979323846;  ///< orientation: R_start_upright turned about the world z by
+                                                ///< a yaw in this window
 };
 
 /// What has been measured about a scene and is stated in its file.
@@ -60,8 +61,9 @@ struct Scene {
   GraspSource grasps;
   PlacementSource placement;
   double edge_step_m = 0.01;
-  double contact_clearance_m = 0.0;  ///< height at which the object is held over its support at pick and place
-  double budget_s = 10.0;            ///< the scene's usual time limit
+  double contact_clearance_m =
+      0.0;                 ///< height at which the object is held over its support at pick and place
+  double budget_s = 10.0;  ///< the scene's usual time limit
   SceneNumbers numbers;
 };
 

@@ -17,8 +17,8 @@ constexpr int kPostures = 3;
 
 constexpr IkTolerance kIkTolerance{1e-5, 1e-4};
 
-/// How much farther from the region's boundary placements are drawn than the object may end up: the
-/// inverse kinematics' error, seen at a TCP half a metre from the object's origin at most.
+/// How far from where it was drawn the object may end up: the inverse kinematics' error, seen from a TCP half
+/// a metre away.
 constexpr double kPlacementMargin_m = 1e-4;
 
 /// A tilt below this is upright: the inverse kinematics' error with room for rounding.

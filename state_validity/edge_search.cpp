@@ -46,7 +46,10 @@ std::int64_t EdgeSearch::firstBlocked(const EdgeSamples& samples, std::int64_t l
   start(samples);
   const std::size_t all = active_.size();
   if (!check(samples, 0, last, 0, all)) return 0;
-  push(1, last, all, active_.size());
+  const std::size_t near_q1 = active_.size();
+  // Most edges that a search tree asks for are blocked at once: they leave nodes that touch something.
+  if (last >= 1 && !check(samples, 1, 0, all, near_q1)) return 1;
+  push(2, last, all, near_q1);
   std::int64_t blocked = last + 1;
   // Taken from the back: the part nearer to q1 before the other. What the lists hold beyond a stretch's own
   // belongs to stretches that are done.

@@ -105,8 +105,9 @@ int plan(const Options& options) {
   writeResult(options.out, result);
   if (!options.forests.empty()) writeForests(options.forests, query.problem(), *query.planner());
   report(result, options.out);
-  if (!query.planner()->crash().empty()) {
-    std::cerr << "b4p: " << query.planner()->crash() << "\n";
+  if (crashed(result)) {
+    std::cerr << "b4p: " << settings.planner << " ended by an exception: " << query.planner()->crash()
+              << std::endl;
     return kInternalError;
   }
   if (result.solved) return result.verification.passed ? kSolved : kNotVerified;

@@ -114,7 +114,7 @@ void BenchmarkRunner::runOne(SceneRuns& runs, const Contender& contender, int nu
   record.run = number;
   const auto recorded = benchmark(query, runs.scene.name, record.result);
   if (interrupted() && !record.result.solved) return;
-  record.crashed = !query.planner()->crash().empty();
+  record.crashed = crashed(record.result);
 
   if (!runs.log)
     runs.log = std::make_unique<OmplLog>(*query.problem().setup, runs.scene.name, header(),

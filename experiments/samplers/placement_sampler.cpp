@@ -8,7 +8,10 @@ namespace b4p {
 
 PlacementSampler::PlacementSampler(const PlacementSource& source, const Eigen::Isometry3d& X_WO_start,
                                    double margin_m, double upright_tolerance_rad)
-    : source_(source), upright_tolerance_rad_(upright_tolerance_rad), R_WO_(X_WO_start.linear()) {
+    : source_(source),
+      margin_m_(margin_m),
+      upright_tolerance_rad_(upright_tolerance_rad),
+      R_WO_(X_WO_start.linear()) {
   for (int i = 0; i < 3; ++i) {
     const double margin = std::min(margin_m, (source.max_m[i] - source.min_m[i]) / 2.0);
     low_[i] = source.min_m[i] + margin;
@@ -33,7 +36,8 @@ Eigen::Isometry3d PlacementSampler::sample(std::mt19937_64& random) const {
 
 double PlacementSampler::distance(const Eigen::Isometry3d& X_WO) const {
   const Eigen::Vector3d p = X_WO.translation();
-  const double outside = (p - p.cwiseMax(source_.min_m).cwiseMin(source_.max_m)).norm();
+  const double outside =
+      std::max(0.0, (p - p.cwiseMax(source_.min_m).cwiseMin(source_.max_m)).norm() - margin_m_);
   if (!source_.upright) return outside;
   const Eigen::Vector3d z = X_WO.linear().col(2);
   return outside + std::max(0.0, std::atan2(std::hypot(z.x(), z.y()), z.z()) - upright_tolerance_rad_);

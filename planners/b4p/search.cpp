@@ -45,9 +45,18 @@ bool allFinite(const ob::StateSpace& space, const ob::State* state) {
 
 }  // namespace
 
+// Inverse kinematics finds the same posture again and again, each time a little off.
+bool Search::pickIsPlanted(const ob::State* root, GraspId grasp) {
+  constexpr double kSamePosture = 1e-3;  // rad or m
+  if (region_ == nullptr) return false;
+  const Node* near = forestsOf(grasp).nearest(Side::kPick, root);
+  return near != nullptr && near->tree->grasp == grasp && grasps_.distance()(near->state, root) < kSamePosture;
+}
+
 Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
   if (!allFinite(*si_->getStateSpace(), root)) return nullptr;
   ++offered_[index(side)];
+  if (side == Side::kPick && pickIsPlanted(root, grasp)) return nullptr;
   Tree* tree = forestsOf(grasp).plant(side, root, grasp, placement);
   if (tree == nullptr) return nullptr;
   ++roots_[index(side)];

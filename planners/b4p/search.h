@@ -47,7 +47,8 @@ class Search {
   /// The single pair of paper mode.
   ForestPair& commonForests() { return forestsOf(kNoGrasp); }
 
-  /// Plants a root; nullptr when the same root is there already, or a value is not finite.
+  /// Plants a root; nullptr when the same root is there already (picks: up to what inverse kinematics tells
+  /// apart), or a value is not finite.
   Tree* plant(Side side, const ompl::base::State* root, GraspId grasp, PlacementId placement = kNoPlacement);
 
   std::size_t rootCount(Side side) const { return roots_[index(side)]; }
@@ -80,6 +81,8 @@ class Search {
   void forEachNode(const std::function<void(const Node&)>& visit) const;
 
  private:
+  bool pickIsPlanted(const ompl::base::State* root, GraspId grasp);
+
   const ompl::base::SpaceInformationPtr si_;
   const B4PParameters parameters_;
   const ompl::base::GoalSampleableRegion* const goal_;

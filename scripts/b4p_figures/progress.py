@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from b4p_files.database import Experiment, Planner, Series
 from b4p_figures.style import Look, add_legend, looks, panels, save
 
-NOTE = "thin: each run, to its end; thick: median of the runs still going (at least half of them)"
+NOTE = "thin: each run, to its end; thick: median, where a run that has ended keeps its last value"
 GRID_POINTS = 200
 
 
@@ -18,27 +18,17 @@ def progress_columns(experiments: list[Experiment]) -> list[str]:
     return sorted({column for run in runs for column in run.progress})
 
 
-def _median_curve(series: list[Series], runs: int) -> tuple[np.ndarray, np.ndarray]:
-    """Median at each time of the runs not over by then, as long as they are at least half of `runs`."""
-    ends = sorted((one[-1][0] for one in series), reverse=True)
-    enough = -(-runs // 2)
-    if len(ends) < enough:
-        return np.array([]), np.array([])
-    begin = max(one[0][0] for one in series)
-    end = ends[enough - 1]
-    if end <= begin:
-        return np.array([]), np.array([])
-    grid = np.linspace(begin, end, GRID_POINTS)
-    values = [np.interp(grid, *np.transpose(one), right=np.nan) for one in series]
-    return grid, np.nanmedian(values, axis=0)
+def _median_curve(series: list[Series]) -> tuple[np.ndarray, np.ndarray]:
+    grid = np.linspace(max(one[0][0] for one in series), max(one[-1][0] for one in series), GRID_POINTS)
+    return grid, np.median([np.interp(grid, *np.transpose(one)) for one in series], axis=0)
 
 
 def _draw_planner(axes: Axes, planner: Planner, column: str, look: Look) -> None:
     series = [run.progress[column] for run in planner.runs if run.progress.get(column)]
     for one in series:
-        axes.plot(*np.transpose(one), linewidth=0.6, alpha=0.35, color=look["color"])
+        axes.plot(*np.transpose(one), linewidth=0.7, alpha=0.5, color=look["color"])
     if series:
-        axes.plot(*_median_curve(series, len(series)), linewidth=2, **look)
+        axes.plot(*_median_curve(series), linewidth=2, **look)
 
 
 def _draw_panel(axes: Axes, experiment: Experiment, column: str, planner_looks: dict[str, Look]) -> None:

@@ -9,8 +9,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from b4p_files.database import Experiment
 from b4p_files.output import replacing
@@ -21,6 +23,7 @@ LINE_STYLES = ("-", "--", ":", "-.")
 PANEL_WIDTH_IN, PANEL_HEIGHT_IN = 4.6, 3.3
 DOTS_PER_INCH = 130
 LEGEND_COLUMNS = 4
+MANY_DECADES = 200.0  # longest over shortest time
 
 plt.rcParams.update(
     {
@@ -57,6 +60,14 @@ def panels(rows: int, columns: int) -> tuple[Figure, list[list[Axes]]]:
     size = (columns * PANEL_WIDTH_IN, rows * PANEL_HEIGHT_IN)
     figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained")
     return figure, axes.tolist()
+
+
+def set_seconds_axis(axis: Axis, begin_s: float, end_s: float) -> None:
+    """Plain numbers on a logarithmic axis, fewer of them when it spans many decades."""
+    subdivisions = (1.0, 2.0, 5.0) if end_s < MANY_DECADES * begin_s else (1.0,)
+    axis.set_major_locator(LogLocator(subs=subdivisions))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def add_legend(figure: Figure, planner_looks: dict[str, Look], note: str = "") -> None:

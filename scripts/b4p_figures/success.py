@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 
 from b4p_files.database import Experiment, Planner
 from b4p_files.statistics import CONFIDENCE, wilson_interval
-from b4p_figures.style import Look, add_legend, looks, panels, save
+from b4p_figures.style import Look, add_legend, looks, panels, save, set_seconds_axis
 
 NOTE = f"runs solved and verified; bands: Wilson {CONFIDENCE} intervals"
 BAND_OPACITY = 0.15
@@ -32,6 +32,7 @@ def draw_success(axes: Axes, experiment: Experiment, planner_looks: dict[str, Lo
         _draw_curve(axes, planner, planner_looks[planner.name], begin, end)
     axes.set_xscale("log")
     axes.set_xlim(begin, end)
+    set_seconds_axis(axes.xaxis, begin, end)
     axes.set_ylim(-2, 102)
     axes.set_xlabel("time (s)")
     axes.set_ylabel("solved (%)")

@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from b4p_files.database import Experiment, Planner
-from b4p_figures.style import Look, add_legend, looks, panels, save
-from b4p_figures.success import earliest_time_s
+from b4p_figures.style import Look, add_legend, looks, panels, save, set_seconds_axis
+from b4p_figures.success import earliest_time_s, latest_time_s
 
 NOTE = "dots: solved and verified runs; crosses at the budget: the others; bars: quartiles and median of solved runs"
 SPREAD = 0.22  # half width of a planner's column of dots
@@ -24,7 +24,9 @@ def draw_times(axes: Axes, experiment: Experiment, planner_looks: dict[str, Look
         axes.annotate(solved, above, (0, 6), textcoords="offset points", ha="center", fontsize="small")
     axes.axhline(experiment.time_limit_s, color="#888888", linewidth=1, linestyle="--")
     axes.set_yscale("log")
-    axes.set_ylim(earliest_time_s(experiment), experiment.time_limit_s * ROOM_ABOVE_BUDGET)
+    begin, end = earliest_time_s(experiment), latest_time_s(experiment) * ROOM_ABOVE_BUDGET
+    axes.set_ylim(begin, end)
+    set_seconds_axis(axes.yaxis, begin, end)
     axes.grid(visible=False, axis="x")
     axes.set_xticks(range(len(experiment.planners)), [planner.name for planner in experiment.planners])
     axes.tick_params(axis="x", rotation=20 if len(experiment.planners) > 3 else 0)

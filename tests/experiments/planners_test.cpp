@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Console.h>
 
 #include "robots/input_error.h"
 
@@ -15,6 +16,8 @@ namespace ob = ompl::base;
 
 class Planners : public ::testing::Test {
  protected:
+  void SetUp() override { ompl::msg::noOutputHandler(); }
+
   ob::PlannerPtr make(const std::string& name, const PlannerParameters& parameters,
                       unsigned threads = 1) const {
     return makePlanner(catalogue_.find(name, "test"), parameters, threads, si_, "test");

@@ -27,7 +27,7 @@ TEST(Preflight, SaysWhyNoGraspIsValid) {
     preflight(scene);
     FAIL() << "accepted";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), AllOf(HasSubstr("200 grasps"), HasSubstr("no inverse kinematics")));
+    EXPECT_THAT(e.what(), AllOf(HasSubstr("400 grasps"), HasSubstr("no inverse kinematics")));
   }
 }
 

@@ -46,14 +46,13 @@ TEST_P(StateConformance, ProbeWhollyInsideAnObstacleCollides) {
 }
 
 TEST_P(StateConformance, ObstacleWhollyInsideTheProbeCollides) {
+  const Shape small_shapes[] = {Box{{0.02, 0.02, 0.02}}, Sphere{0.01}, Cylinder{0.01, 0.02},
+                                Capsule{0.01, 0.01}, blockMesh({0.02, 0.02, 0.02})};
   for (const NamedShape& probe : oneOfEach())
-    for (const NamedShape& target : oneOfEach()) {
-      const auto scaled = std::holds_alternative<std::shared_ptr<const ConvexMesh>>(target.shape)
-                              ? Shape(blockMesh({0.02, 0.02, 0.02}))
-                              : Shape(Box{{0.02, 0.02, 0.02}});
-      const auto context = makeContext(probeProblem(probe.shape, obstacle(scaled, {0.01, 0.02, -0.01})));
+    for (const Shape& small : small_shapes) {
+      const auto context = makeContext(probeProblem(probe.shape, obstacle(small, {0.01, 0.02, -0.01})));
       const CraneConfiguration q{};
-      EXPECT_FALSE(context->isFree(q.data(), nullptr)) << probe.name << " around " << target.name;
+      EXPECT_FALSE(context->isFree(q.data(), nullptr)) << probe.name << " around shape " << small.index();
     }
 }
 
