@@ -32,18 +32,6 @@ std::shared_ptr<const CollisionChecker> makeChecker(const Scene& scene,
   }
 }
 
-/// Between two grasps there is no motion, so nothing of it is ever reached. OMPL's RRTConnect then sees at
-/// once that it is trapped; were it led nearer and nearer to a state of another grasp, it would follow
-/// without end.
-class SceneStateSpace : public ManipulationStateSpace {
- public:
-  using ManipulationStateSpace::ManipulationStateSpace;
-  void interpolate(const ob::State* from, const ob::State* to, double t, ob::State* state) const override {
-    const bool same_grasp = from->as<StateType>()->grasp == to->as<StateType>()->grasp;
-    ManipulationStateSpace::interpolate(from, to, same_grasp || t >= 1.0 ? t : 0.0, state);
-  }
-};
-
 ob::RealVectorBounds jointBounds(const Manipulator& robot) {
   ob::RealVectorBounds bounds(static_cast<unsigned>(robot.dof()));
   for (int i = 0; i < robot.dof(); ++i) {
@@ -62,7 +50,7 @@ Problem makeProblem(const Scene& scene) {
                                                 scene.X_WB, scene.robot.file);
   problem.checker = makeChecker(scene, problem.robot);
   problem.region = std::make_shared<SceneRegion>(scene, problem.checker);
-  problem.space = std::make_shared<SceneStateSpace>(jointBounds(*problem.robot));
+  problem.space = std::make_shared<ManipulationStateSpace>(jointBounds(*problem.robot));
   problem.space->setGraspCount([region = problem.region] { return region->graspCount(); });
   problem.counts = std::make_shared<ValidityCounts>();
   problem.si = makeManipulationSpaceInformation(

@@ -7,8 +7,8 @@
 
 namespace b4p {
 
-/// One thread's access to a GraspMotionChecker. With kNoGrasp nothing is carried. May throw std::invalid_argument on
-/// non-finite q or an unknown grasp.
+/// One thread's access to a GraspMotionChecker. With kNoGrasp nothing is carried. May throw
+/// std::invalid_argument on non-finite q or an unknown grasp.
 class GraspMotionContext {
  public:
   virtual ~GraspMotionContext() = default;

@@ -28,13 +28,15 @@ class ManipulationStateSampler : public ob::StateSampler {
   void sampleUniform(ob::State* state) override {
     auto* s = state->as<StateType>();
     const auto& bounds = manipulation_.bounds();
-    for (unsigned i = 0; i < manipulation_.dof(); ++i) s->q[i] = rng_.uniformReal(bounds.low[i], bounds.high[i]);
+    for (unsigned i = 0; i < manipulation_.dof(); ++i)
+      s->q[i] = rng_.uniformReal(bounds.low[i], bounds.high[i]);
     const GraspId count = manipulation_.graspCount();
     s->grasp = count > 0 ? rng_.uniformInt(0, count - 1) : kNoGrasp;
   }
 
   void sampleUniformNear(ob::State* state, const ob::State* near, double distance) override {
-    sampleAround(state, near, [&](unsigned, double q) { return rng_.uniformReal(q - distance, q + distance); });
+    sampleAround(state, near,
+                 [&](unsigned, double q) { return rng_.uniformReal(q - distance, q + distance); });
   }
 
   void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
@@ -175,10 +177,12 @@ void ManipulationStateSpace::interpolate(const ob::State* from, const ob::State*
   const auto* b = to->as<StateType>();
   auto* s = state->as<StateType>();
   const GraspId grasp = t < 1.0 ? a->grasp : b->grasp;
+  const bool there_is_a_motion = a->grasp == b->grasp;
   if (t >= 1.0) {
     std::copy(b->q, b->q + dof(), s->q);  // the end exactly, not a + (b - a)
   } else {
-    for (unsigned i = 0; i < dof(); ++i) s->q[i] = a->q[i] + t * (b->q[i] - a->q[i]);
+    const double way = there_is_a_motion ? t : 0.0;
+    for (unsigned i = 0; i < dof(); ++i) s->q[i] = a->q[i] + way * (b->q[i] - a->q[i]);
   }
   s->grasp = grasp;
 }
@@ -219,8 +223,8 @@ void ManipulationStateSpace::printState(const ob::State* state, std::ostream& ou
 }
 
 void ManipulationStateSpace::printSettings(std::ostream& out) const {
-  out << "Manipulation state space '" << getName() << "' of " << dof() << " joints, grasps " << grasp_distance_
-      << " apart\n";
+  out << "Manipulation state space '" << getName() << "' of " << dof() << " joints, grasps "
+      << grasp_distance_ << " apart\n";
 }
 
 void ManipulationStateSpace::registerProjections() {

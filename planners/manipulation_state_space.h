@@ -12,14 +12,16 @@ namespace b4p {
 
 /// States (q, grasp): a joint configuration and the grasp the object is held with (kNoGrasp: none).
 ///
-/// distance() is the Euclidean joint distance, plus graspDistance() where the grasps differ. The default is larger than any joint
-/// distance, so that trees of ordinary planners keep to one grasp. Interpolation keeps the grasp of `from` for t < 1. A state with a non-finite
-/// value satisfies no bounds. Serialisation and printing carry the grasp; copyToReals carries q alone.
+/// distance() is the Euclidean joint distance, plus graspDistance() where the grasps differ. The default is
+/// larger than any joint distance, so that trees of ordinary planners keep to one grasp. Between states of
+/// different grasps there is no motion: interpolation stays at `from` for t < 1 (led nearer and nearer to
+/// what it cannot reach, OMPL's RRTConnect would follow without end). A state with a non-finite value
+/// satisfies no bounds. Serialisation and printing carry the grasp; copyToReals carries q alone.
 class ManipulationStateSpace : public ompl::base::StateSpace {
  public:
   class StateType : public ompl::base::State {
    public:
-    double* q;      ///< dof values, in the same block of memory as the state
+    double* q;  ///< dof values, in the same block of memory as the state
     GraspId grasp;
   };
 

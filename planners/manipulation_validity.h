@@ -27,8 +27,8 @@ using GraspMotionPool = ContextPool<GraspMotionContext>;
 /// states are invalid. Any thread may ask.
 class ManipulationValidityChecker : public ompl::base::StateValidityChecker {
  public:
-  ManipulationValidityChecker(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<GraspMotionPool> pool,
-                              std::shared_ptr<ValidityCounts> counts);
+  ManipulationValidityChecker(const ompl::base::SpaceInformationPtr& si,
+                              std::shared_ptr<GraspMotionPool> pool, std::shared_ptr<ValidityCounts> counts);
   bool isValid(const ompl::base::State* state) const override;
 
  private:
@@ -36,12 +36,13 @@ class ManipulationValidityChecker : public ompl::base::StateValidityChecker {
   std::shared_ptr<ValidityCounts> counts_;
 };
 
-/// A motion is valid when both states carry the same grasp and the straight edge is free while holding it, **first state included**. Any thread
-/// may ask. lastValid is the last state found free; its fraction is 0 when the first state is not.
+/// A motion is valid when both states carry the same grasp and the straight edge is free while holding it,
+/// **first state included**. Any thread may ask. lastValid is the last state found free; its fraction is 0
+/// when the first state is not.
 class ManipulationMotionValidator : public ompl::base::MotionValidator {
  public:
-  ManipulationMotionValidator(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<GraspMotionPool> pool,
-                              std::shared_ptr<ValidityCounts> counts);
+  ManipulationMotionValidator(const ompl::base::SpaceInformationPtr& si,
+                              std::shared_ptr<GraspMotionPool> pool, std::shared_ptr<ValidityCounts> counts);
   bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2) const override;
   bool checkMotion(const ompl::base::State* s1, const ompl::base::State* s2,
                    std::pair<ompl::base::State*, double>& lastValid) const override;

@@ -19,18 +19,21 @@ class PickPlaceContext {
  public:
   virtual ~PickPlaceContext() = default;
 
-  /// PLANPICK (paper, Eq. 1): one draw. True: `q` holds the object at its start pose with `grasp` and is valid. False: this draw gave nothing, another may.
+  /// PLANPICK (paper, Eq. 1): one draw. True: `q` holds the object at its start pose with `grasp` and is
+  /// valid. False: this draw gave nothing, another may.
   virtual bool samplePick(double* q, GraspId& grasp) = 0;
 
   /// PLANPLACE (Eq. 2): draws an object pose inside the region.
   virtual PlacementId samplePlacement() = 0;
 
-  /// Eq. 3: a valid configuration that holds the object at `placement` with `grasp`. False when none was found.
+  /// Eq. 3: a valid configuration that holds the object at `placement` with `grasp`. False when none was
+  /// found.
   virtual bool placeRoot(PlacementId placement, GraspId grasp, double* q) = 0;
 };
 
-/// Where the object is picked and where it may be placed. Immutable but for its tables of grasps and placements, which only grow; all
-/// functions may be called from any thread. Nothing here throws once constructed, but for std::bad_alloc.
+/// Where the object is picked and where it may be placed. Immutable but for its tables of grasps and
+/// placements, which only grow; all functions may be called from any thread. Nothing here throws once
+/// constructed, but for std::bad_alloc.
 class PickPlaceRegion {
  public:
   virtual ~PickPlaceRegion() = default;
@@ -41,7 +44,8 @@ class PickPlaceRegion {
   /// Ids 0 ... graspCount()-1 are known.
   virtual GraspId graspCount() const = 0;
 
-  /// How far (m, plus radians of tilt where the region asks for an orientation) the object held with `grasp` at q is from being placed; 0 inside the region.
+  /// How far (m, plus radians of tilt where the region asks for an orientation) the object held with `grasp`
+  /// at q is from being placed; 0 inside the region.
   virtual double distanceToPlacement(const double* q, GraspId grasp) const = 0;
 };
 

@@ -11,11 +11,13 @@
 namespace b4p {
 
 /// "The object lies in its placement region": a goal over a ManipulationStateSpace for any OMPL planner.
-/// B4P recognises it and takes pick roots, placements and re-derived place roots (Eq. 3) from region() itself.
+/// B4P recognises it and takes pick roots, placements and re-derived place roots (Eq. 3) from region()
+/// itself.
 ///
-/// sampleGoal() draws a placement for each known grasp in turn, so that the problem's start states, which carry the grasps, come
-/// first. Where no configuration is found the sample is outside the bounds and planners reject it. Never throws; any thread
-/// may call it. isStartGoalPairValid() holds for states of equal grasp.
+/// sampleGoal() draws a placement for each known grasp in turn, so that the problem's start states, which
+/// carry the grasps, come first. Where no configuration is found the sample is outside the bounds and
+/// planners reject it. Never throws; any thread may call it. isStartGoalPairValid() holds for states of equal
+/// grasp.
 class PlaceGoal : public ompl::base::GoalSampleableRegion {
  public:
   PlaceGoal(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const PickPlaceRegion> region);

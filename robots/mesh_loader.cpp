@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robots/mesh_loader.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -78,7 +79,15 @@ std::string meshFile(const std::string& address, const std::string& folder) {
   return file.string();
 }
 
-std::shared_ptr<const ConvexMesh> loadMeshHull(const std::string& file, const Eigen::Vector3d& scale) {
+namespace {
+
+/// What a mesh file holds, scaled; three points a triangle.
+struct Soup {
+  std::vector<Eigen::Vector3d> corners;
+  unsigned parts = 0;
+};
+
+Soup readMesh(const std::string& file, const Eigen::Vector3d& scale) {
   if (!scale.allFinite() || (scale.array() == 0.0).any())
     throw std::runtime_error("the scale has to be finite and not zero");
   Assimp::Importer importer;
@@ -86,17 +95,56 @@ std::shared_ptr<const ConvexMesh> loadMeshHull(const std::string& file, const Ei
   // Pre-transforming puts all parts of the file into one frame.
   const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (scene == nullptr || scene->mNumMeshes == 0) throw std::runtime_error("holds no mesh that can be read");
-  std::vector<Eigen::Vector3d> points;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m)
-    for (unsigned v = 0; v < scene->mMeshes[m]->mNumVertices; ++v) {
-      const aiVector3D& p = scene->mMeshes[m]->mVertices[v];
-      points.emplace_back(scale.cwiseProduct(Eigen::Vector3d(p.x, p.y, p.z)));
+  Soup soup;
+  soup.parts = scene->mNumMeshes;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene->mMeshes[m];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      if (mesh.mFaces[f].mNumIndices != 3) continue;  // lone points and lines enclose nothing
+      for (unsigned i = 0; i < 3; ++i) {
+        const aiVector3D& p = mesh.mVertices[mesh.mFaces[f].mIndices[i]];
+        soup.corners.emplace_back(scale.cwiseProduct(Eigen::Vector3d(p.x, p.y, p.z)));
+      }
     }
+  }
+  return soup;
+}
+
+std::shared_ptr<const ConvexMesh> hullOf(const Soup& soup) {
   try {
-    return convexHull(points);
+    return convexHull(soup.corners);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }
+}
+
+/// Whether all corners lie on one side of the plane of each triangle.
+bool isConvex(const Soup& soup) {
+  constexpr double kTolerance_m = 1e-6;
+  for (std::size_t f = 0; f + 2 < soup.corners.size(); f += 3) {
+    const Eigen::Vector3d& a = soup.corners[f];
+    const Eigen::Vector3d normal = (soup.corners[f + 1] - a).cross(soup.corners[f + 2] - a).normalized();
+    double below = 0.0, above = 0.0;
+    for (const Eigen::Vector3d& corner : soup.corners) {
+      below = std::min(below, normal.dot(corner - a));
+      above = std::max(above, normal.dot(corner - a));
+    }
+    if (below < -kTolerance_m && above > kTolerance_m) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<const ConvexMesh> loadMeshHull(const std::string& file, const Eigen::Vector3d& scale) {
+  return hullOf(readMesh(file, scale));
+}
+
+std::shared_ptr<const ConvexMesh> loadConvexMesh(const std::string& file, const Eigen::Vector3d& scale) {
+  const Soup soup = readMesh(file, scale);
+  if (soup.parts > 1) throw std::runtime_error("holds several meshes");
+  if (!isConvex(soup)) throw std::runtime_error("is not convex");
+  return hullOf(soup);
 }
 
 }  // namespace b4p

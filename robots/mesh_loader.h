@@ -18,4 +18,8 @@ std::string meshFile(const std::string& address, const std::string& folder);
 /// @throws std::runtime_error when the file cannot be read, holds no triangles, or spans no volume.
 std::shared_ptr<const ConvexMesh> loadMeshHull(const std::string& file, const Eigen::Vector3d& scale);
 
+/// The same for a mesh that has to be convex itself (within 1e-6 m) and in one part.
+/// @throws std::runtime_error also when it is not.
+std::shared_ptr<const ConvexMesh> loadConvexMesh(const std::string& file, const Eigen::Vector3d& scale);
+
 }  // namespace b4p

@@ -23,12 +23,17 @@ std::string cpuModel() {
 
 }  // namespace
 
+std::string omplVersion() {
+  return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
+         std::to_string(OMPL_PATCH_VERSION);
+}
+
 std::string buildInfo() {
   std::ostringstream text;
   text << "commit: " << B4P_COMMIT << "\n"
        << "compiler: " << B4P_COMPILER << "\n"
        << "flags: " << B4P_FLAGS << "\n"
-       << "OMPL: " << OMPL_MAJOR_VERSION << '.' << OMPL_MINOR_VERSION << '.' << OMPL_PATCH_VERSION << "\n"
+       << "OMPL: " << omplVersion() << "\n"
        << "CPU: " << cpuModel() << "\n"
        << "cores: " << std::thread::hardware_concurrency() << "\n";
   return text.str();

@@ -9,4 +9,7 @@ namespace b4p {
 /// CPU, cores.
 std::string buildInfo();
 
+/// OMPL's version, "1.5.2". OMPL 1.5 leaves its own text of it empty.
+std::string omplVersion();
+
 }  // namespace b4p

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "experiments/runner/build_info.h"
+
 namespace b4p {
 
 OmplLog::OmplLog(ompl::geometric::SimpleSetup& setup, const std::string& name, const std::string& header,
@@ -54,7 +56,9 @@ void OmplLog::add(const std::string& label, const CompleteExperiment& recorded,
 std::string OmplLog::text() const {
   std::ostringstream out;
   saveResultsToStream(out);
-  return out.str();
+  // The first line names OMPL's version, which OMPL 1.5 leaves out.
+  const std::string text = out.str();
+  return "OMPL version " + omplVersion() + text.substr(text.find('\n'));
 }
 
 }  // namespace b4p

@@ -3,12 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
-#include "experiments/scene_files/data_files.h"
-#include "experiments/scene_files/mesh_reader.h"
 #include "robots/input_error.h"
+#include "robots/mesh_loader.h"
 
 namespace b4p {
 namespace {
@@ -84,13 +85,17 @@ Shape readMesh(const YamlValue& value) {
   value.allowKeys({"file", "scale", "convex_hull"});
   const auto scale = value.find("scale");
   const auto hull = value.find("convex_hull");
-  const YamlValue file = value["file"];
+  const YamlValue address = value["file"];
+  const Eigen::Vector3d factors = scale ? scale->positiveVector3() : Eigen::Vector3d::Ones();
+  const bool take_hull = hull && hull->boolean();
   try {
-    return readConvexMesh(relativeTo(value.file(), file.text()),
-                          scale ? scale->positiveVector3() : Eigen::Vector3d::Ones(),
-                          hull && hull->boolean());
-  } catch (const MeshError& e) {
-    file.failWithValue(e.what());
+    const std::string file =
+        meshFile(address.text(), std::filesystem::path(value.file()).parent_path().string());
+    return take_hull ? loadMeshHull(file, factors) : loadConvexMesh(file, factors);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    address.failWithValue(std::string(error.what()) + (take_hull ? "" : "; convex_hull: true uses the hull"));
   }
 }
 

@@ -54,7 +54,8 @@ void B4P::declare(const std::string& name, Value B4PParameters::*field, const st
 }
 
 void B4P::declareProgress(const std::string& name, const std::atomic<std::uint64_t>& count) {
-  addPlannerProgressProperty(name, [&count] { return std::to_string(count.load(std::memory_order_relaxed)); });
+  addPlannerProgressProperty(name,
+                             [&count] { return std::to_string(count.load(std::memory_order_relaxed)); });
 }
 
 void B4P::setParameters(const B4PParameters& parameters) {
@@ -97,7 +98,8 @@ ob::PlannerStatus B4P::search(const ob::PlannerTerminationCondition& ptc) {
     return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
   }
   prepareSearch(goal);
-  while (const ob::State* start = pis_.nextStart()) search_->plant(Side::kPick, start, search_->grasps().get(start));
+  while (const ob::State* start = pis_.nextStart())
+    search_->plant(Side::kPick, start, search_->grasps().get(start));
   if (search_->region() == nullptr) {
     if (search_->rootCount(Side::kPick) == 0) {
       OMPL_ERROR("%s: there is no valid start state", getName().c_str());
@@ -123,17 +125,20 @@ void B4P::prepareSearch(ob::GoalSampleableRegion* goal) {
     problem_ = pdef_;
     goal_ = pdef_->getGoal();
     const auto* place_goal = dynamic_cast<const PlaceGoal*>(goal);
-    search_ = std::make_unique<Search>(si_, parameters_, goal, place_goal != nullptr ? &place_goal->region() : nullptr,
-                                       pis_, statistics_);
+    search_ = std::make_unique<Search>(
+        si_, parameters_, goal, place_goal != nullptr ? &place_goal->region() : nullptr, pis_, statistics_);
   }
-  // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads start.
+  // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads
+  // start.
   while (workers_.size() < parameters_.threads)
     workers_.push_back(makeWorker(*search_, ompl::RNG().getLocalSeed()));
 }
 
-// Listed goals that have all been taken do not become more; sampled ones may, as long as the goal could sample.
+// Listed goals that have all been taken do not become more; sampled ones may, as long as the goal could
+// sample.
 bool B4P::mayGiveMore(const ob::GoalSampleableRegion& goal) const {
-  const bool listed = goal.hasType(ob::GOAL_STATE) || (goal.hasType(ob::GOAL_STATES) && !goal.hasType(ob::GOAL_LAZY_SAMPLES));
+  const bool listed =
+      goal.hasType(ob::GOAL_STATE) || (goal.hasType(ob::GOAL_STATES) && !goal.hasType(ob::GOAL_LAZY_SAMPLES));
   return pis_.haveMoreGoalStates() || (!listed && goal.couldSample());
 }
 

@@ -13,18 +13,22 @@
 
 namespace b4p {
 
-/// B4P (Leebron, Ren, Chen, Hang, IROS 2025): parallel workers grow forests of pick and place trees under many
-/// grasps at once, join trees even of different grasps, re-derive the place root for the pick's grasp and repair the path.
+/// B4P (Leebron, Ren, Chen, Hang, IROS 2025): parallel workers grow forests of pick and place trees under
+/// many grasps at once, join trees even of different grasps, re-derive the place root for the pick's grasp
+/// and repair the path.
 ///
-/// With a PlaceGoal over a ManipulationStateSpace it solves a whole pick-and-place query: which grasp, which placement, which
-/// motion. It then draws pick roots itself; start states are further ones and may be missing. On any other state space with any
-/// GoalSampleableRegion it is a parallel bidirectional planner with many roots. A solution is an exact path whose every motion
-/// the problem's motion validator accepted; there are no approximate ones.
+/// With a PlaceGoal over a ManipulationStateSpace it solves a whole pick-and-place query: which grasp, which
+/// placement, which motion. It then draws pick roots itself; start states are further ones and may be
+/// missing. On any other state space with any GoalSampleableRegion it is a parallel bidirectional planner
+/// with many roots. A solution is an exact path whose every motion the problem's motion validator accepted;
+/// there are no approximate ones.
 ///
-/// solve() may be called again and continues with the forests there are; clear() forgets them. Parameters other than `threads` take effect at the
-/// first solve() after construction or clear(). solve() never throws but for a missing problem definition: an exception out
-/// of the problem's own functions ends in PlannerStatus::CRASH. State validity checker, motion validator and goal are called from `threads` threads at
-/// a time (sampling of a plain goal one thread at a time). With one thread, OMPL's global seed determines the result.
+/// solve() may be called again and continues with the forests there are; clear() forgets them. Parameters
+/// other than `threads` take effect at the first solve() after construction or clear(). solve() never throws
+/// but for a missing problem definition: an exception out of the problem's own functions ends in
+/// PlannerStatus::CRASH. State validity checker, motion validator and goal are called from `threads` threads
+/// at a time (sampling of a plain goal one thread at a time). With one thread, OMPL's global seed determines
+/// the result.
 class B4P : public ompl::base::Planner {
  public:
   explicit B4P(const ompl::base::SpaceInformationPtr& si);
@@ -34,7 +38,8 @@ class B4P : public ompl::base::Planner {
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
   void clear() override;
 
-  /// @throws ompl::Exception when there is no problem definition, no goal, or, but for a PlaceGoal, no start state
+  /// @throws ompl::Exception when there is no problem definition, no goal, or, but for a PlaceGoal, no start
+  /// state
   void checkValidity() override;
 
   /// Vertices are tagged 1 (pick side) or 2 (place side); edges point from pick to place.
@@ -53,7 +58,8 @@ class B4P : public ompl::base::Planner {
   ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition& ptc);
   void prepareSearch(ompl::base::GoalSampleableRegion* goal);
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
-  bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal, const ompl::base::PlannerTerminationCondition& ptc);
+  bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
+                      const ompl::base::PlannerTerminationCondition& ptc);
   void work(const ompl::base::PlannerTerminationCondition& ptc);
   void addSolution(const ompl::geometric::PathGeometric& path);
 

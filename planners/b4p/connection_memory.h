@@ -10,10 +10,12 @@
 
 namespace b4p {
 
-/// What has been learnt about joining trees of different grasps: answers of Eq. 3, and pairs of trees whose repair failed. Any thread may ask.
+/// What has been learnt about joining trees of different grasps: answers of Eq. 3, and pairs of trees whose
+/// repair failed. Any thread may ask.
 class ConnectionMemory {
  public:
-  /// The place tree that Eq. 3 gave for this placement and grasp (nullptr inside: it has no solution), or nothing when it was not asked yet.
+  /// The place tree that Eq. 3 gave for this placement and grasp (nullptr inside: it has no solution), or
+  /// nothing when it was not asked yet.
   std::optional<const Tree*> placeTree(PlacementId placement, GraspId grasp) const;
   void setPlaceTree(PlacementId placement, GraspId grasp, const Tree* tree);
 

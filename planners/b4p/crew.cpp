@@ -8,7 +8,8 @@
 
 namespace b4p {
 
-void runCrew(std::size_t size, const std::function<void(std::size_t number, const std::atomic<bool>& stop)>& job) {
+void runCrew(std::size_t size,
+             const std::function<void(std::size_t number, const std::atomic<bool>& stop)>& job) {
   std::atomic<bool> stop{false};
   std::mutex mutex;
   std::exception_ptr first;

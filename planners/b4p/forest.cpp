@@ -11,7 +11,8 @@ namespace b4p {
 namespace ob = ompl::base;
 
 NodeIndex::NodeIndex(const StateDistance& distance) : nodes_(new ompl::NearestNeighborsGNAT<const Node*>) {
-  nodes_->setDistanceFunction([distance](const Node* a, const Node* b) { return distance(a->state, b->state); });
+  nodes_->setDistanceFunction(
+      [distance](const Node* a, const Node* b) { return distance(a->state, b->state); });
 }
 
 void NodeIndex::add(const Node* node) {

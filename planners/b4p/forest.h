@@ -56,7 +56,8 @@ class NodeIndex {
   std::unique_ptr<ompl::NearestNeighbors<const Node*>> nodes_;
 };
 
-/// A pick forest and a place forest that grow toward each other. Nodes only ever join; any thread may add or ask.
+/// A pick forest and a place forest that grow toward each other. Nodes only ever join; any thread may add or
+/// ask.
 class ForestPair {
  public:
   /// @param grasp       the grasp all its trees share, or kNoGrasp when they may differ
@@ -76,7 +77,9 @@ class ForestPair {
   const Node* grow(const Node* parent, const ompl::base::State* state);
 
   /// Nearest node of a side, whatever its tree; nullptr while there is none.
-  const Node* nearest(Side side, const ompl::base::State* state) const { return nodes_[index(side)].nearest(state); }
+  const Node* nearest(Side side, const ompl::base::State* state) const {
+    return nodes_[index(side)].nearest(state);
+  }
 
   std::size_t treeCount(Side side) const;
   std::vector<Tree*> trees(Side side) const;  ///< a snapshot

@@ -45,7 +45,8 @@ Growth growAndConnect(ForestPair& forests, Side side, const ob::State* target, M
     met = expandFrom(forests, from, growth.grown->state, motion);
   }
   if (met.reached)
-    growth.junction = side == Side::kPick ? Junction{growth.grown, met.node} : Junction{met.node, growth.grown};
+    growth.junction =
+        side == Side::kPick ? Junction{growth.grown, met.node} : Junction{met.node, growth.grown};
   return growth;
 }
 

@@ -16,7 +16,8 @@ struct Junction {
   const Node* place;
 };
 
-/// Extends the tree nearest to `target` on one side as far as the motion stays free (Algorithm 3, FindNearestTree and ExpandTree).
+/// Extends the tree nearest to `target` on one side as far as the motion stays free (Algorithm 3,
+/// FindNearestTree and ExpandTree).
 /// @return the node reached, nullptr when it could not move or there is no tree
 const Node* expand(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
 
@@ -31,9 +32,10 @@ struct Growth {
 /// side then grows toward the new node.
 Growth growAndConnect(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
 
-/// States from the pick root over the junction to the place root, at least these two, all set to the grasp of the pick tree; a
-/// state that repeats is left out.
-ompl::geometric::PathGeometric pathThrough(const Junction& junction, const ompl::base::SpaceInformationPtr& si);
+/// States from the pick root over the junction to the place root, at least these two, all set to the grasp of
+/// the pick tree; a state that repeats is left out.
+ompl::geometric::PathGeometric pathThrough(const Junction& junction,
+                                           const ompl::base::SpaceInformationPtr& si);
 
 /// Number of nodes from the node's root to the node.
 std::size_t depth(const Node* node);

@@ -24,13 +24,19 @@ StateDistance GraspAccess::distance() const {
   const ob::StateSpace* space = si_->getStateSpace().get();
   if (present_) {
     const auto* manipulation = space->as<ManipulationStateSpace>();
-    return [manipulation](const ob::State* a, const ob::State* b) { return manipulation->jointDistance(a, b); };
+    return
+        [manipulation](const ob::State* a, const ob::State* b) { return manipulation->jointDistance(a, b); };
   }
   return [space](const ob::State* a, const ob::State* b) { return space->distance(a, b); };
 }
 
 Motion::Motion(const ob::SpaceInformationPtr& si, double range)
-    : si_(si), grasps_(si), distance_(grasps_.distance()), range_(range), symmetric_(si->getStateSpace()->hasSymmetricInterpolate()), sampler_(si->allocStateSampler()) {
+    : si_(si),
+      grasps_(si),
+      distance_(grasps_.distance()),
+      range_(range),
+      symmetric_(si->getStateSpace()->hasSymmetricInterpolate()),
+      sampler_(si->allocStateSampler()) {
   sample_ = si_->allocState();
   from_ = si_->allocState();
   to_ = si_->allocState();

@@ -16,8 +16,8 @@ class GraspAccess {
  public:
   explicit GraspAccess(const ompl::base::SpaceInformationPtr& si);
   bool present() const { return present_; }
-  GraspId get(const ompl::base::State* state) const;               ///< kNoGrasp where states carry none
-  void set(ompl::base::State* state, GraspId grasp) const;         ///< nothing where states carry none
+  GraspId get(const ompl::base::State* state) const;        ///< kNoGrasp where states carry none
+  void set(ompl::base::State* state, GraspId grasp) const;  ///< nothing where states carry none
   StateDistance distance() const;
 
  private:
@@ -25,7 +25,8 @@ class GraspAccess {
   bool present_;
 };
 
-/// One worker's hands in the state space: samples, and straight motions under a chosen grasp. Works on any SpaceInformation. One per thread.
+/// One worker's hands in the state space: samples, and straight motions under a chosen grasp. Works on any
+/// SpaceInformation. One per thread.
 class Motion {
  public:
   enum class Reach { kTrapped, kAdvanced, kReached };
@@ -41,9 +42,9 @@ class Motion {
   /// A random state, half the time near the straight motion from a to b and otherwise anywhere.
   const ompl::base::State* sampleAround(const ompl::base::State* a, const ompl::base::State* b);
 
-  /// Goes from `from` toward `to` under `grasp` as far as the motion stays free, at most `range`. Where it ends is end(). On
-  /// the place side the motion is the one that leads back to `from`; where spaces tell the two directions apart, it is free as a whole
-  /// or not made.
+  /// Goes from `from` toward `to` under `grasp` as far as the motion stays free, at most `range`. Where it
+  /// ends is end(). On the place side the motion is the one that leads back to `from`; where spaces tell the
+  /// two directions apart, it is free as a whole or not made.
   Reach extend(const ompl::base::State* from, const ompl::base::State* to, GraspId grasp, Side side);
   const ompl::base::State* end() const { return end_; }
 

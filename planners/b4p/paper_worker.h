@@ -5,8 +5,9 @@
 
 namespace b4p {
 
-/// The worker as printed (Algorithms 2-4): a fixed number of roots, one forest per side for all grasps, nearest tree by nearest
-/// node, a connection attempt at every iteration in which both sides moved, Eq. 3 after it.
+/// The worker as printed (Algorithms 2-4): a fixed number of roots, one forest per side for all grasps,
+/// nearest tree by nearest node, a connection attempt at every iteration in which both sides moved, Eq. 3
+/// after it.
 class PaperWorker : public Worker {
  public:
   using Worker::Worker;

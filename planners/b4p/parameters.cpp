@@ -11,7 +11,8 @@ std::string B4PParameters::problem() const {
     return "threads must be 1 ... " + std::to_string(kMostThreads) + " (" + std::to_string(threads) + ")";
   if (pick_roots < 1) return "pick_roots must be at least 1 (0)";
   if (place_roots < 1) return "place_roots must be at least 1 (0)";
-  if (!(range >= 0.0) || !std::isfinite(range)) return "range must be finite and >= 0 (" + std::to_string(range) + ")";
+  if (!(range >= 0.0) || !std::isfinite(range))
+    return "range must be finite and >= 0 (" + std::to_string(range) + ")";
   if (slice < 1) return "slice must be at least 1 (0)";
   if (root_attempts < 1) return "root_attempts must be at least 1 (0)";
   if (repair_iterations < 1) return "repair_iterations must be at least 1 (0)";

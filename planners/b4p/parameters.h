@@ -9,17 +9,21 @@ namespace b4p {
 struct B4PParameters {
   unsigned threads = 1;  ///< parallel workers, 1 ... 64
 
-  /// true: the algorithm as printed (Algorithms 1-4), with a fixed number of roots. false: the default search, see docs/b4p.md.
+  /// true: the algorithm as printed (Algorithms 1-4), with a fixed number of roots. false: the default
+  /// search, see docs/b4p.md.
   bool paper = false;
 
-  unsigned pick_roots = 16;   ///< paper: N_pick, >= 1. Start states of the problem come first; all of them are used.
+  unsigned pick_roots =
+      16;  ///< paper: N_pick, >= 1. Start states of the problem come first; all of them are used.
   unsigned place_roots = 16;  ///< paper: N_place, >= 1
 
   double range = 0.0;  ///< longest motion added at once; 0: as far as it stays free
 
-  unsigned slice = 1000;         ///< default: iterations a grasp's forests grow before another grasp has its turn, >= 1
-  unsigned root_attempts = 32;   ///< default: placements asked for (Eq. 3) per turn of root drawing, >= 1
-  unsigned repair_iterations = 300;  ///< iterations of local replanning per colliding run before a repair fails, >= 1
+  unsigned slice =
+      1000;  ///< default: iterations a grasp's forests grow before another grasp has its turn, >= 1
+  unsigned root_attempts = 32;  ///< default: placements asked for (Eq. 3) per turn of root drawing, >= 1
+  unsigned repair_iterations =
+      300;  ///< iterations of local replanning per colliding run before a repair fails, >= 1
 
   /// Empty when all is in range, otherwise what is not.
   std::string problem() const;

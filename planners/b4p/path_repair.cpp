@@ -10,7 +10,11 @@ namespace og = ompl::geometric;
 
 PathRepair::PathRepair(const ob::SpaceInformationPtr& si, og::PathGeometric path, const Junction& junction,
                        std::size_t first_unchecked, unsigned iterations, Motion& motion)
-    : si_(si), path_(std::move(path)), junction_(junction), grasp_(junction.pick->tree->grasp), iterations_(iterations) {
+    : si_(si),
+      path_(std::move(path)),
+      junction_(junction),
+      grasp_(junction.pick->tree->grasp),
+      iterations_(iterations) {
   bool colliding = false;
   for (std::size_t i = first_unchecked; i + 1 < path_.getStateCount(); ++i) {
     const bool free = motion.isFree(path_.getState(i), path_.getState(i + 1), grasp_);
@@ -70,7 +74,8 @@ og::PathGeometric PathRepair::assemble(std::size_t first, std::size_t last) cons
   while (run < detours_.size() && runs_[run].begin < first) ++run;
   for (std::size_t i = first; i < last;) {
     if (run < detours_.size() && runs_[run].begin == i) {
-      for (std::size_t k = 1; k < detours_[run].getStateCount(); ++k) assembled.append(detours_[run].getState(k));
+      for (std::size_t k = 1; k < detours_[run].getStateCount(); ++k)
+        assembled.append(detours_[run].getState(k));
       i = runs_[run++].end;
     } else {
       assembled.append(path_.getState(++i));

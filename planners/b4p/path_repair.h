@@ -13,9 +13,10 @@
 
 namespace b4p {
 
-/// Mends a path whose states carry one grasp but whose edges may collide under it (Algorithm 4): each maximal run of colliding edges is
-/// replaced by a motion found by local replanning between the run's two ends; all other edges stay as they are. A run that
-/// reaches the end of the path counts. Any number of threads may step() the same repair: they replan its runs together, one run after the other.
+/// Mends a path whose states carry one grasp but whose edges may collide under it (Algorithm 4): each maximal
+/// run of colliding edges is replaced by a motion found by local replanning between the run's two ends; all
+/// other edges stay as they are. A run that reaches the end of the path counts. Any number of threads may
+/// step() the same repair: they replan its runs together, one run after the other.
 class PathRepair {
  public:
   enum class Status { kRunning, kSucceeded, kFailed };
@@ -23,8 +24,8 @@ class PathRepair {
   /// Checks the edges from way-point `first_unchecked` on; those before it are known to be free.
   /// @param junction    the connection that the path came from, kept for who asked
   /// @param iterations  of local replanning per run before the repair fails
-  PathRepair(const ompl::base::SpaceInformationPtr& si, ompl::geometric::PathGeometric path, const Junction& junction,
-             std::size_t first_unchecked, unsigned iterations, Motion& motion);
+  PathRepair(const ompl::base::SpaceInformationPtr& si, ompl::geometric::PathGeometric path,
+             const Junction& junction, std::size_t first_unchecked, unsigned iterations, Motion& motion);
 
   /// One iteration of local replanning.
   Status step(Motion& motion);
@@ -39,8 +40,8 @@ class PathRepair {
   /// The whole path, mended. Only after kSucceeded.
   ompl::geometric::PathGeometric repaired() const { return assemble(0, path_.getStateCount() - 1); }
 
-  /// After kFailed: what is free from the start up to the run that failed, mended runs included, and from that run to the end of the path as far as
-  /// it is free from there backwards.
+  /// After kFailed: what is free from the start up to the run that failed, mended runs included, and from
+  /// that run to the end of the path as far as it is free from there backwards.
   ompl::geometric::PathGeometric freePrefix() const;
   ompl::geometric::PathGeometric freeSuffix() const;
 

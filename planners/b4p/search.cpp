@@ -11,8 +11,9 @@ namespace b4p {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-Search::Search(ob::SpaceInformationPtr si, const B4PParameters& parameters, const ob::GoalSampleableRegion* goal,
-               const PickPlaceRegion* region, ob::PlannerInputStates& inputs, Statistics& statistics)
+Search::Search(ob::SpaceInformationPtr si, const B4PParameters& parameters,
+               const ob::GoalSampleableRegion* goal, const PickPlaceRegion* region,
+               ob::PlannerInputStates& inputs, Statistics& statistics)
     : si_(std::move(si)),
       parameters_(parameters),
       goal_(goal),
@@ -50,7 +51,8 @@ bool Search::pickIsPlanted(const ob::State* root, GraspId grasp) {
   constexpr double kSamePosture = 1e-3;  // rad or m
   if (region_ == nullptr) return false;
   const Node* near = forestsOf(grasp).nearest(Side::kPick, root);
-  return near != nullptr && near->tree->grasp == grasp && grasps_.distance()(near->state, root) < kSamePosture;
+  return near != nullptr && near->tree->grasp == grasp &&
+         grasps_.distance()(near->state, root) < kSamePosture;
 }
 
 Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {

@@ -41,7 +41,8 @@ class Search {
   Schedule& schedule() { return schedule_; }
   ConnectionMemory& memory() { return memory_; }
 
-  /// The forests in which a tree of this grasp grows: one pair per grasp, or one for all grasps in paper mode.
+  /// The forests in which a tree of this grasp grows: one pair per grasp, or one for all grasps in paper
+  /// mode.
   ForestPair& forestsOf(GraspId grasp);
 
   /// The single pair of paper mode.
@@ -60,7 +61,9 @@ class Search {
   bool plantGoal();
 
   /// Nearest node of a side over the forests of all grasps; nullptr while there is none.
-  const Node* nearestAnywhere(Side side, const ompl::base::State* state) const { return everywhere_[index(side)].nearest(state); }
+  const Node* nearestAnywhere(Side side, const ompl::base::State* state) const {
+    return everywhere_[index(side)].nearest(state);
+  }
 
   /// True when the problem accepts a path between the roots of these nodes.
   bool rootsMatch(const Junction& junction) const;

@@ -10,9 +10,9 @@
 
 namespace b4p {
 
-/// Does a query's work one step at a time: a step is one iteration of growth, one iteration of local replanning,
-/// or one drawing of a root. Workers share a Search; each is used by one thread at a time, which need not be always the same. A step
-/// takes as long as a few edge checks or inverse-kinematics calls.
+/// Does a query's work one step at a time: a step is one iteration of growth, one iteration of local
+/// replanning, or one drawing of a root. Workers share a Search; each is used by one thread at a time, which
+/// need not be always the same. A step takes as long as a few edge checks or inverse-kinematics calls.
 class Worker {
  public:
   /// @param seed  of this worker's draws from the pick-and-place region; the state sampler has OMPL's
@@ -37,7 +37,8 @@ class Worker {
   /// Eq. 3 into root(). False when there is no configuration.
   bool derivePlaceRoot(PlacementId placement, GraspId grasp);
 
-  /// Submits the path over a junction of different grasps, its last state replaced by `place_root` (Algorithm 1, lines 5 and 6).
+  /// Submits the path over a junction of different grasps, its last state replaced by `place_root` (Algorithm
+  /// 1, lines 5 and 6).
   void repair(const Junction& junction, const ompl::base::State* place_root);
 
   Search& search() { return search_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises of B4P's parts: every node that joins a forest is found, exactly once, whatever threads do; a path through a
-// junction runs from root to root and ends in them exactly; failed pairs are retried once they have doubled; a crew
-// ends as a whole when one job throws; parameters out of range are named.
+// Promises of B4P's parts: every node that joins a forest is found, exactly once, whatever threads do; a path
+// through a junction runs from root to root and ends in them exactly; failed pairs are retried once they have
+// doubled; a crew ends as a whole when one job throws; parameters out of range are named.
 #include <atomic>
 #include <cstring>
 #include <random>
@@ -220,7 +220,8 @@ TEST(Parameters, OutOfRangeIsNamed) {
   EXPECT_NE(problemOf([](B4PParameters& p) { p.range = -1.0; }).find("range"), std::string::npos);
   EXPECT_NE(problemOf([](B4PParameters& p) { p.range = std::nan(""); }).find("range"), std::string::npos);
   EXPECT_NE(problemOf([](B4PParameters& p) { p.slice = 0; }).find("slice"), std::string::npos);
-  EXPECT_NE(problemOf([](B4PParameters& p) { p.root_attempts = 0; }).find("root_attempts"), std::string::npos);
+  EXPECT_NE(problemOf([](B4PParameters& p) { p.root_attempts = 0; }).find("root_attempts"),
+            std::string::npos);
   EXPECT_NE(problemOf([](B4PParameters& p) { p.repair_iterations = 0; }).find("repair"), std::string::npos);
 }
 

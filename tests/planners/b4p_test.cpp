@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises of B4P alone: one thread and one seed give one path; a worker's single steps can be taken from outside; trees of
-// different grasps are joined and their path repaired; Eq. 3 is not asked twice.
+// Promises of B4P alone: one thread and one seed give one path; a worker's single steps can be taken from
+// outside; trees of different grasps are joined and their path repaired; Eq. 3 is not asked twice.
 #include <cstring>
 #include <set>
 #include <vector>
@@ -53,7 +53,8 @@ std::vector<double> solveWithSeed(std::uint_fast32_t seed, bool paper) {
 TEST(B4PPlanner, OneSeedGivesTheSameBytesOnOneThread) {
   ompl::msg::noOutputHandler();
   for (const bool paper : {false, true}) {
-    const auto once = solveWithSeed(11, paper), again = solveWithSeed(11, paper), other = solveWithSeed(12, paper);
+    const auto once = solveWithSeed(11, paper), again = solveWithSeed(11, paper),
+               other = solveWithSeed(12, paper);
     ASSERT_EQ(once.size(), again.size());
     EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(double)), 0);
     EXPECT_NE(once, other);
@@ -62,9 +63,11 @@ TEST(B4PPlanner, OneSeedGivesTheSameBytesOnOneThread) {
 
 /// A search whose workers the test steps by hand.
 struct SteppedSearch {
-  explicit SteppedSearch(const DiscWorld& world, const B4PParameters& chosen = {}) : setup(world), parameters(chosen) {
+  explicit SteppedSearch(const DiscWorld& world, const B4PParameters& chosen = {})
+      : setup(world), parameters(chosen) {
     inputs.use(setup.problem);
-    search = std::make_unique<Search>(setup.si, parameters, setup.goal.get(), setup.region.get(), inputs, statistics);
+    search = std::make_unique<Search>(setup.si, parameters, setup.goal.get(), setup.region.get(), inputs,
+                                      statistics);
   }
   DiscProblem setup;
   B4PParameters parameters;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every planner of this package keeps on a plain OMPL problem: the life cycle of an ob::Planner, its status codes,
-// paths that begin and end exactly where they should, and an end in time, whatever the problem's functions do.
+// What every planner of this package keeps on a plain OMPL problem: the life cycle of an ob::Planner, its
+// status codes, paths that begin and end exactly where they should, and an end in time, whatever the
+// problem's functions do.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -69,7 +70,8 @@ class PlainProblem : public ::testing::TestWithParam<PlannerCase> {
     return *pdef->getSolutionPath()->as<og::PathGeometric>();
   }
 
-  void expectPath(const ob::ProblemDefinitionPtr& pdef, const ob::ScopedState<>& start, const ob::ScopedState<>& goal) {
+  void expectPath(const ob::ProblemDefinitionPtr& pdef, const ob::ScopedState<>& start,
+                  const ob::ScopedState<>& goal) {
     ASSERT_TRUE(pdef->hasExactSolution());
     og::PathGeometric path = pathOf(pdef);
     ASSERT_GE(path.getStateCount(), 2u);
@@ -199,7 +201,8 @@ TEST_P(PlainProblem, TinyBudgetsEndWithAStatus) {
   for (const double time_s : {0.0, 1e-6, 1e-3}) {
     planner->clear();
     const ob::PlannerStatus status = solve(problem(at(1, 1), at(9, 1)), time_s);
-    EXPECT_TRUE(status == ob::PlannerStatus::TIMEOUT || status == ob::PlannerStatus::EXACT_SOLUTION) << status.asString();
+    EXPECT_TRUE(status == ob::PlannerStatus::TIMEOUT || status == ob::PlannerStatus::EXACT_SOLUTION)
+        << status.asString();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises: the manipulation space keeps OMPL's contract for state spaces and carries the grasp; a motion that
-// changes the grasp or starts in collision is invalid; the goal's samples are placements, its failures rejected.
+// Promises: the manipulation space keeps OMPL's contract for state spaces and carries the grasp; a motion
+// that changes the grasp or starts in collision is invalid; the goal's samples are placements, its failures
+// rejected.
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -47,7 +48,8 @@ class ManipulationSpace : public ::testing::Test {
 };
 
 TEST_F(ManipulationSpace, KeepsOmplsContract) {
-  EXPECT_NO_THROW(setup.space->sanityChecks(1e-9, 1e-6, ~0u & ~ob::StateSpace::STATESPACE_ENFORCE_BOUNDS_NO_OP));
+  EXPECT_NO_THROW(
+      setup.space->sanityChecks(1e-9, 1e-6, ~0u & ~ob::StateSpace::STATESPACE_ENFORCE_BOUNDS_NO_OP));
 }
 
 TEST_F(ManipulationSpace, DifferentGraspsLieFartherApartThanAnyJoints) {
@@ -66,10 +68,16 @@ TEST_F(ManipulationSpace, EqualStatesHaveEqualGrasps) {
 
 TEST_F(ManipulationSpace, InterpolationKeepsTheGraspAndEndsExactly) {
   ob::State* between = state(0, 0, kNoGrasp);
-  setup.space->interpolate(state(1, 2, 3), state(3, 3, 4), 0.5, between);
+  setup.space->interpolate(state(1, 2, 3), state(3, 3, 3), 0.5, between);
   EXPECT_TRUE(setup.space->equalStates(between, state(2, 2.5, 3)));
   setup.space->interpolate(state(0.1, 0.2, 3), state(0.3, 0.7, 4), 1.0, between);
   EXPECT_TRUE(setup.space->equalStates(between, state(0.3, 0.7, 4)));
+}
+
+TEST_F(ManipulationSpace, BetweenGraspsThereIsNoMotion) {
+  ob::State* between = state(0, 0, kNoGrasp);
+  setup.space->interpolate(state(1, 2, 3), state(3, 3, 4), 0.9, between);
+  EXPECT_TRUE(setup.space->equalStates(between, state(1, 2, 3)));
 }
 
 TEST_F(ManipulationSpace, SerialisationCarriesTheGrasp) {
@@ -145,7 +153,8 @@ TEST_F(ManipulationSpace, ManyThreadsGetTheSameVerdicts) {
   std::vector<std::thread> threads;
   for (auto& answer : parallel)
     threads.emplace_back([&answer, &ends, this] {
-      for (std::size_t i = 0; i + 1 < ends.size(); ++i) answer.push_back(setup.si->checkMotion(ends[i], ends[i + 1]));
+      for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        answer.push_back(setup.si->checkMotion(ends[i], ends[i + 1]));
     });
   for (std::thread& thread : threads) thread.join();
   for (const auto& answer : parallel) EXPECT_EQ(answer, serial);

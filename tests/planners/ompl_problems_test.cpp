@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drop-in promise: B4P solves, without grasps and on any state space, the kinds of problem that OMPL tests its own
-// planners with: circles in the plane, a map, rigid bodies in SE(2) and SE(3), the corridor along a hypercube's edges, a chain
-// in SO(2)^n, a car that cannot go sideways, goal regions that are sampled while it plans, and several starts.
+// The drop-in promise: B4P solves, without grasps and on any state space, the kinds of problem that OMPL
+// tests its own planners with: circles in the plane, a map, rigid bodies in SE(2) and SE(3), the corridor
+// along a hypercube's edges, a chain in SO(2)^n, a car that cannot go sideways, goal regions that are sampled
+// while it plans, and several starts.
 #include <cmath>
 #include <functional>
 #include <random>
@@ -57,7 +58,8 @@ TEST_P(OmplProblem, CirclesInThePlane) {
   std::vector<Circle> circles;
   while (circles.size() < 30) {
     const Circle c{place(random), place(random), radius(random)};
-    if (std::hypot(c.x - 0.5, c.y - 0.5) > 1.2 && std::hypot(c.x - 9.5, c.y - 9.5) > 1.2) circles.push_back(c);
+    if (std::hypot(c.x - 0.5, c.y - 0.5) > 1.2 && std::hypot(c.x - 9.5, c.y - 9.5) > 1.2)
+      circles.push_back(c);
   }
   auto space = std::make_shared<ob::RealVectorStateSpace>(2);
   space->setBounds(0.0, 10.0);
@@ -110,7 +112,8 @@ TEST_P(OmplProblem, RodThroughAGapInSE2) {
     constexpr int kPoints = 20;
     for (int i = -kPoints; i <= kPoints; ++i) {
       const double along = kHalfLength * i / kPoints;
-      const double x = s->getX() + along * std::cos(s->getYaw()), y = s->getY() + along * std::sin(s->getYaw());
+      const double x = s->getX() + along * std::cos(s->getYaw()),
+                   y = s->getY() + along * std::sin(s->getYaw());
       if (std::abs(x - 2.0) < 0.2 && std::abs(y - 2.0) > 0.2) return false;
       if (x < 0.0 || x > 4.0 || y < 0.0 || y > 4.0) return false;
     }
@@ -137,7 +140,8 @@ TEST_P(OmplProblem, PlateThroughAHoleInSE3) {
     const auto* s = state->as<ob::SE3StateSpace::StateType>();
     const auto& r = s->rotation();
     // Tips of the plate's two half axes in its plane.
-    const double ux = 1 - 2 * (r.y * r.y + r.z * r.z), uy = 2 * (r.x * r.y + r.z * r.w), uz = 2 * (r.x * r.z - r.y * r.w);
+    const double ux = 1 - 2 * (r.y * r.y + r.z * r.z), uy = 2 * (r.x * r.y + r.z * r.w),
+                 uz = 2 * (r.x * r.z - r.y * r.w);
     constexpr double kHalfLength = 0.6;
     for (const double along : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
       const double x = s->getX() + kHalfLength * along * ux, y = s->getY() + kHalfLength * along * uy,
@@ -248,8 +252,7 @@ TEST_P(OmplProblem, SeveralStartsAndGoalsSampledMeanwhile) {
   }
   std::atomic<int> given{0};
   auto goals = std::make_shared<ob::GoalLazySamples>(
-      setup.getSpaceInformation(),
-      [&given](const ob::GoalLazySamples*, ob::State* state) {
+      setup.getSpaceInformation(), [&given](const ob::GoalLazySamples*, ob::State* state) {
         const int i = given++;
         state->as<RealVector>()->values[0] = 9.0;
         state->as<RealVector>()->values[1] = i % 2 == 0 ? 1.0 + 0.01 * i : 5.0 + 0.01 * i;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises (paper, Algorithm 4 with its gaps closed): exactly the colliding runs are replanned, a run at the path's end
-// as well; all other way-points stay; a mended path is free; a repair that fails says so and hands back what is free.
+// Promises (paper, Algorithm 4 with its gaps closed): exactly the colliding runs are replanned, a run at the
+// path's end as well; all other way-points stay; a mended path is free; a repair that fails says so and hands
+// back what is free.
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -48,8 +49,8 @@ class Repair : public ::testing::Test {
     set(state, points.back());
     Tree* place = forests.plant(Side::kPlace, state, 0, 0);
     setup.si->freeState(state);
-    return std::make_unique<PathRepair>(setup.si, path(points), Junction{pick->root, place->root}, first_unchecked,
-                                        iterations, motion);
+    return std::make_unique<PathRepair>(setup.si, path(points), Junction{pick->root, place->root},
+                                        first_unchecked, iterations, motion);
   }
 
   PathRepair::Status finish(PathRepair& repair) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every planner of this package keeps on pick-and-place problems: the path holds the object at its start pose with
-// one grasp, keeps that grasp, ends inside the region, is free at a much finer step without the checker that planned
-// it, and there is none where there cannot be one.
+// What every planner of this package keeps on pick-and-place problems: the path holds the object at its start
+// pose with one grasp, keeps that grasp, ends inside the region, is free at a much finer step without the
+// checker that planned it, and there is none where there cannot be one.
 #include <limits>
 #include <string>
 
@@ -73,7 +73,8 @@ TEST_P(PickPlaceProblem, SolvedWhenOneGraspOfEightFits) {
   const DiscProblem setup(world(0.6));
   const bool paper = GetParam().name.find("Paper") != std::string::npos;
   const ob::PlannerStatus status = solve(setup, paper ? 2.0 : kPlenty_s);
-  if (paper && status == ob::PlannerStatus::TIMEOUT) GTEST_SKIP() << "a fixed number of roots may hold no compatible grasp";
+  if (paper && status == ob::PlannerStatus::TIMEOUT)
+    GTEST_SKIP() << "a fixed number of roots may hold no compatible grasp";
   EXPECT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION);
   expectSound(setup);
   const auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises: no forest starves, however many join; each is served at ages 0, 1, 2, 4, ...; the drawing of roots goes on
-// for ever but becomes rarer when nothing comes of it; two workers do not hold the same forests while others wait.
+// Promises: no forest starves, however many join; each is served at ages 0, 1, 2, 4, ...; the drawing of
+// roots goes on for ever but becomes rarer when nothing comes of it; two workers do not hold the same forests
+// while others wait.
 #include <map>
 #include <memory>
 #include <set>
@@ -18,7 +19,8 @@ namespace {
 class Served : public ::testing::Test {
  protected:
   ForestPair* newForests() {
-    forests.push_back(std::make_unique<ForestPair>(si, [](const auto*, const auto*) { return 0.0; }, kNoGrasp));
+    forests.push_back(std::make_unique<ForestPair>(
+        si, [](const auto*, const auto*) { return 0.0; }, kNoGrasp));
     return forests.back().get();
   }
   ompl::base::SpaceInformationPtr si =

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Core>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
+#include <Eigen/Core>
 
 #include "planners/grasp_motion_checker.h"
 #include "planners/manipulation_state_space.h"
@@ -111,7 +111,8 @@ class DiscRegion : public PickPlaceRegion {
   }
   GraspId graspCount() const override { return static_cast<GraspId>(world_->grasps.size()); }
   double distanceToPlacement(const double* q, GraspId grasp) const override {
-    const Eigen::Vector2d p = Eigen::Vector2d(q[0], q[1]) - world_->grasps.at(static_cast<std::size_t>(grasp)).offset;
+    const Eigen::Vector2d p =
+        Eigen::Vector2d(q[0], q[1]) - world_->grasps.at(static_cast<std::size_t>(grasp)).offset;
     return (p - p.cwiseMax(world_->region.min).cwiseMin(world_->region.max)).norm();
   }
 
@@ -120,10 +121,13 @@ class DiscRegion : public PickPlaceRegion {
    public:
     Context(const DiscWorld& world, std::uint64_t seed) : world_(world), random_(seed) {}
     bool samplePick(double* q, GraspId& grasp) override {
-      grasp = std::uniform_int_distribution<GraspId>(0, static_cast<GraspId>(world_.grasps.size()) - 1)(random_);
+      grasp =
+          std::uniform_int_distribution<GraspId>(0, static_cast<GraspId>(world_.grasps.size()) - 1)(random_);
       return robotAt(world_.start, grasp, q);
     }
-    PlacementId samplePlacement() override { return std::uniform_int_distribution<PlacementId>(0, 999)(random_); }
+    PlacementId samplePlacement() override {
+      return std::uniform_int_distribution<PlacementId>(0, 999)(random_);
+    }
     bool placeRoot(PlacementId placement, GraspId grasp, double* q) override {
       std::mt19937 at(static_cast<unsigned>(placement));
       Eigen::Vector2d p;
