@@ -149,6 +149,10 @@ class LinkPairsTest : public testing::Test {
 TEST_F(LinkPairsTest, NeighboursAndLinksThatNoPathMovesApartAreNotCompared) { EXPECT_EQ(contact(), ""); }
 
 TEST_F(LinkPairsTest, ClearanceIsExactBetweenThingsFarApart) {
+  // Among themselves the balls lie closer than anything else: leave only the peas to measure to.
+  for (const auto& pair : {std::pair("a", "c"), std::pair("a", "d"), std::pair("b", "e"), std::pair("c", "e"),
+                           std::pair("d", "e")})
+    scene_.robot.description.skip_self_collision.emplace_back(pair.first, pair.second);
   for (const double x : {5.0, 5.2, -7.0})
     scene_.obstacles.push_back({"pea", {Sphere{0.01}, Eigen::Isometry3d(Eigen::Translation3d(x, 0, 0))}});
   const Kinematics robot(scene_.robot.urdf_file, scene_.robot.description, scene_.X_WB);
