@@ -132,7 +132,8 @@ bool ManipulationStateSpace::satisfiesBounds(const ob::State* state) const {
   const double* q = state->as<StateType>()->q;
   for (unsigned i = 0; i < dof(); ++i)
     if (!(q[i] >= bounds_.low[i] && q[i] <= bounds_.high[i])) return false;  // also when q[i] is NaN
-  return true;
+  const GraspId grasp = state->as<StateType>()->grasp;
+  return grasp == kNoGrasp || (grasp >= 0 && (!grasp_count_ || grasp < grasp_count_()));
 }
 
 void ManipulationStateSpace::copyState(ob::State* destination, const ob::State* source) const {

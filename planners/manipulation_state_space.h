@@ -15,8 +15,9 @@ namespace b4p {
 /// distance() is the Euclidean joint distance, plus graspDistance() where the grasps differ. The default is
 /// larger than any joint distance, so that trees of ordinary planners keep to one grasp. Between states of
 /// different grasps there is no motion: interpolation stays at `from` for t < 1 (led nearer and nearer to
-/// what it cannot reach, OMPL's RRTConnect would follow without end). A state with a non-finite value
-/// satisfies no bounds. Serialisation and printing carry the grasp; copyToReals carries q alone.
+/// what it cannot reach, OMPL's RRTConnect would follow without end). A state with a non-finite value or
+/// a grasp beyond those known satisfies no bounds. Serialisation and printing carry the grasp; copyToReals
+/// carries q alone.
 class ManipulationStateSpace : public ompl::base::StateSpace {
  public:
   class StateType : public ompl::base::State {

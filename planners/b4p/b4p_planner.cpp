@@ -34,6 +34,7 @@ B4P::B4P(const ob::SpaceInformationPtr& si) : ob::Planner(si, "B4P") {
   declare("repair_iterations", &B4PParameters::repair_iterations, "1:1:100000");
 
   declareProgress("iterations INTEGER", statistics_.iterations);
+  declareProgress("roots INTEGER", statistics_.roots);
   declareProgress("tree nodes INTEGER", statistics_.nodes);
   declareProgress("connections tried INTEGER", statistics_.connections_tried);
   declareProgress("repairs tried INTEGER", statistics_.repairs_tried);
@@ -81,13 +82,15 @@ void B4P::checkValidity() {
 
 ob::PlannerStatus B4P::solve(const ob::PlannerTerminationCondition& ptc) {
   checkValidity();
+  last_error_.clear();
   try {
     return search(ptc);
   } catch (const std::exception& e) {
-    OMPL_ERROR("%s: stopped by an exception: %s", getName().c_str(), e.what());
+    last_error_ = e.what();
   } catch (...) {
-    OMPL_ERROR("%s: stopped by an exception", getName().c_str());
+    last_error_ = "an exception of unknown type";
   }
+  OMPL_ERROR("%s: stopped by %s", getName().c_str(), last_error_.c_str());
   return ob::PlannerStatus::CRASH;
 }
 
@@ -98,8 +101,7 @@ ob::PlannerStatus B4P::search(const ob::PlannerTerminationCondition& ptc) {
     return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
   }
   prepareSearch(goal);
-  while (const ob::State* start = pis_.nextStart())
-    search_->plant(Side::kPick, start, search_->grasps().get(start));
+  plantStarts();
   if (search_->region() == nullptr) {
     if (search_->rootCount(Side::kPick) == 0) {
       OMPL_ERROR("%s: there is no valid start state", getName().c_str());
@@ -122,16 +124,30 @@ void B4P::prepareSearch(ob::GoalSampleableRegion* goal) {
   if (!search_ || problem_ != pdef_ || goal_ != pdef_->getGoal()) {
     workers_.clear();
     statistics_.reset();
+    pis_.restart();
     problem_ = pdef_;
     goal_ = pdef_->getGoal();
     const auto* place_goal = dynamic_cast<const PlaceGoal*>(goal);
     search_ = std::make_unique<Search>(
         si_, parameters_, goal, place_goal != nullptr ? &place_goal->region() : nullptr, pis_, statistics_);
   }
+  for (const auto& worker : workers_) worker->rest();  // there may be fewer threads this time
   // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads
   // start.
   while (workers_.size() < parameters_.threads)
     workers_.push_back(makeWorker(*search_, ompl::RNG().getLocalSeed()));
+}
+
+// A pick-and-place problem can do nothing with a grasp it does not know.
+void B4P::plantStarts() {
+  while (const ob::State* start = pis_.nextStart()) {
+    const GraspId grasp = search_->grasps().get(start);
+    const PickPlaceRegion* region = search_->region();
+    if (region != nullptr && (grasp < 0 || grasp >= region->graspCount()))
+      OMPL_WARN("%s: a start state with the unknown grasp %d is left out", getName().c_str(), grasp);
+    else
+      search_->plant(Side::kPick, start, grasp);
+  }
 }
 
 // Listed goals that have all been taken do not become more; sampled ones may, as long as the goal could
@@ -182,6 +198,8 @@ void B4P::getPlannerData(ob::PlannerData& data) const {
       pick ? data.addEdge(parent, vertex) : data.addEdge(vertex, parent);
     }
   });
+  for (const Junction& junction : search_->connections())
+    data.addEdge(ob::PlannerDataVertex(junction.pick->state), ob::PlannerDataVertex(junction.place->state));
 }
 
 }  // namespace b4p

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <ompl/base/Planner.h>
@@ -42,8 +43,12 @@ class B4P : public ompl::base::Planner {
   /// state
   void checkValidity() override;
 
-  /// Vertices are tagged 1 (pick side) or 2 (place side); edges point from pick to place.
+  /// Vertices are tagged 1 (pick side) or 2 (place side); edges point from pick to place, over junctions as
+  /// well (those whose path was repaired left aside).
   void getPlannerData(ompl::base::PlannerData& data) const override;
+
+  /// What ended the last solve() with PlannerStatus::CRASH; empty when nothing did.
+  const std::string& lastError() const { return last_error_; }
 
   const B4PParameters& parameters() const { return parameters_; }
 
@@ -57,6 +62,7 @@ class B4P : public ompl::base::Planner {
 
   ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition& ptc);
   void prepareSearch(ompl::base::GoalSampleableRegion* goal);
+  void plantStarts();
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
                       const ompl::base::PlannerTerminationCondition& ptc);
@@ -65,6 +71,7 @@ class B4P : public ompl::base::Planner {
 
   B4PParameters parameters_;
   Statistics statistics_;
+  std::string last_error_;
   ompl::base::ProblemDefinitionPtr problem_;  ///< what `search_` was made for
   ompl::base::GoalPtr goal_;
   std::unique_ptr<Search> search_;

@@ -11,7 +11,8 @@ std::optional<const Tree*> ConnectionMemory::placeTree(PlacementId placement, Gr
 
 void ConnectionMemory::setPlaceTree(PlacementId placement, GraspId grasp, const Tree* tree) {
   std::lock_guard<std::mutex> lock(mutex_);
-  place_trees_[{placement, grasp}] = tree;
+  const Tree*& known = place_trees_[{placement, grasp}];
+  if (known == nullptr) known = tree;  // two workers may have asked at once, and one found the other's root
 }
 
 bool ConnectionMemory::mayJoin(const Tree* pick, const Tree* place) const {

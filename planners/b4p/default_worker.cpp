@@ -24,6 +24,10 @@ void DefaultWorker::takeTurn() {
   left_ = turn_->forests == nullptr ? search().parameters().root_attempts : search().parameters().slice;
 }
 
+void DefaultWorker::rest() {
+  if (turn_) endTurn(false);
+}
+
 void DefaultWorker::endTurn(bool fruitful) {
   search().schedule().giveBack(*turn_, fruitful);
   turn_.reset();
@@ -55,8 +59,7 @@ void DefaultWorker::grow(ForestPair& forests) {
   search().statistics().nodes += growth.nodes;
   if (growth.grown == nullptr) return;
   countOne(search().statistics().connections_tried);
-  if (growth.junction && search().rootsMatch(*growth.junction))
-    return search().publish(pathThrough(*growth.junction, search().si()));
+  if (growth.junction && search().rootsMatch(*growth.junction)) return search().publish(*growth.junction);
   if (search().region() != nullptr) joinAcrossGrasps(growth.grown);
 }
 

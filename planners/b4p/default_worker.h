@@ -15,6 +15,7 @@ namespace b4p {
 class DefaultWorker : public Worker {
  public:
   using Worker::Worker;
+  void rest() override;
 
  protected:
   void advance() override;

@@ -26,11 +26,6 @@ const Node* NodeIndex::nearest(const ob::State* state) const {
   return nodes_->size() == 0 ? nullptr : nodes_->nearest(&query);
 }
 
-std::size_t NodeIndex::size() const {
-  std::shared_lock<std::shared_mutex> lock(mutex_);
-  return nodes_->size();
-}
-
 ForestPair::ForestPair(ob::SpaceInformationPtr si, const StateDistance& distance, GraspId grasp,
                        std::array<NodeIndex, 2>* everywhere)
     : si_(std::move(si)),

@@ -49,7 +49,6 @@ class NodeIndex {
   void add(const Node* node);
   /// nullptr while empty.
   const Node* nearest(const ompl::base::State* state) const;
-  std::size_t size() const;
 
  private:
   mutable std::shared_mutex mutex_;

@@ -11,38 +11,31 @@ namespace og = ompl::geometric;
 
 namespace {
 
-/// The node at the end of a motion from `near` toward `target`, and whether it is the target.
-struct Expansion {
-  const Node* node = nullptr;
-  bool reached = false;
-};
-
 Expansion expandFrom(ForestPair& forests, const Node* near, const ob::State* target, Motion& motion) {
+  if (motion.grasps().samePlace(near->state, target)) return {near, true, false};
   const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp, near->tree->side);
   if (reach == Motion::Reach::kTrapped) return {};
-  return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached};
+  return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached, true};
 }
 
 }  // namespace
 
-const Node* expand(ForestPair& forests, Side side, const ob::State* target, Motion& motion) {
+Expansion expand(ForestPair& forests, Side side, const ob::State* target, Motion& motion) {
   const Node* near = forests.nearest(side, target);
-  return near == nullptr ? nullptr : expandFrom(forests, near, target, motion).node;
+  return near == nullptr ? Expansion{} : expandFrom(forests, near, target, motion);
 }
 
 Growth growAndConnect(ForestPair& forests, Side side, const ob::State* target, Motion& motion) {
   Growth growth;
-  growth.grown = expand(forests, side, target, motion);
+  const Expansion expansion = expand(forests, side, target, motion);
+  growth.grown = expansion.node;
+  growth.nodes = expansion.added;
   if (growth.grown == nullptr) return growth;
-  growth.nodes = 1;
-  const Node* facing = forests.nearest(opposite(side), growth.grown->state);
-  if (facing == nullptr) return growth;
-  Expansion met = expandFrom(forests, facing, growth.grown->state, motion);
-  while (met.node != nullptr) {
-    ++growth.nodes;
-    if (met.reached) break;
-    const Node* from = met.node;
-    met = expandFrom(forests, from, growth.grown->state, motion);
+  Expansion met = expand(forests, opposite(side), growth.grown->state, motion);
+  growth.nodes += met.added;
+  while (met.node != nullptr && !met.reached) {
+    met = expandFrom(forests, met.node, growth.grown->state, motion);
+    growth.nodes += met.added;
   }
   if (met.reached)
     growth.junction =
@@ -50,20 +43,23 @@ Growth growAndConnect(ForestPair& forests, Side side, const ob::State* target, M
   return growth;
 }
 
-og::PathGeometric pathThrough(const Junction& junction, const ob::SpaceInformationPtr& si) {
+JoinedPath pathThrough(const Junction& junction, const ob::SpaceInformationPtr& si) {
   const GraspAccess grasps(si);
   const GraspId grasp = junction.pick->tree->grasp;
   std::vector<const Node*> nodes;
   for (const Node* node = junction.pick; node != nullptr; node = node->parent) nodes.push_back(node);
   std::reverse(nodes.begin(), nodes.end());
+  const std::size_t picks = nodes.size();
   for (const Node* node = junction.place; node != nullptr; node = node->parent) nodes.push_back(node);
 
-  og::PathGeometric path(si);
+  JoinedPath joined{og::PathGeometric(si), 0};
+  og::PathGeometric& path = joined.path;
   ob::State* state = si->allocState();
-  for (const Node* node : nodes) {
-    si->copyState(state, node->state);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    si->copyState(state, nodes[i]->state);
     grasps.set(state, grasp);
     if (path.getStateCount() == 0 || !si->equalStates(path.getStates().back(), state)) path.append(state);
+    if (i < picks) joined.junction = path.getStateCount() - 1;
   }
   // `state` is the place root: the path ends in it exactly, not in a state that merely counts as equal.
   if (path.getStateCount() == 1)
@@ -71,13 +67,7 @@ og::PathGeometric pathThrough(const Junction& junction, const ob::SpaceInformati
   else
     si->copyState(path.getStates().back(), state);
   si->freeState(state);
-  return path;
-}
-
-std::size_t depth(const Node* node) {
-  std::size_t count = 0;
-  for (; node != nullptr; node = node->parent) ++count;
-  return count;
+  return joined;
 }
 
 }  // namespace b4p

@@ -16,14 +16,20 @@ struct Junction {
   const Node* place;
 };
 
+/// Where an expansion ended.
+struct Expansion {
+  const Node* node = nullptr;  ///< nullptr when it could not move
+  bool reached = false;        ///< the node is at the target
+  bool added = false;          ///< false when the target was in the tree already
+};
+
 /// Extends the tree nearest to `target` on one side as far as the motion stays free (Algorithm 3,
-/// FindNearestTree and ExpandTree).
-/// @return the node reached, nullptr when it could not move or there is no tree
-const Node* expand(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
+/// FindNearestTree and ExpandTree). Nothing while the side has no tree.
+Expansion expand(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
 
 /// What one iteration of growAndConnect() led to.
 struct Growth {
-  const Node* grown = nullptr;       ///< the node added on the side that grew, if any
+  const Node* grown = nullptr;       ///< where the side that grew has got to, if it moved
   std::optional<Junction> junction;  ///< set when the two sides met
   std::size_t nodes = 0;             ///< how many were added
 };
@@ -32,12 +38,13 @@ struct Growth {
 /// side then grows toward the new node.
 Growth growAndConnect(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
 
-/// States from the pick root over the junction to the place root, at least these two, all set to the grasp of
-/// the pick tree; a state that repeats is left out.
-ompl::geometric::PathGeometric pathThrough(const Junction& junction,
-                                           const ompl::base::SpaceInformationPtr& si);
+/// A path from a pick root over a junction to a place root.
+struct JoinedPath {
+  ompl::geometric::PathGeometric path;
+  std::size_t junction;  ///< index of the junction's pick node: up to it all motions are known to be free
+};
 
-/// Number of nodes from the node's root to the node.
-std::size_t depth(const Node* node);
+/// The path has both roots, all states set to the grasp of the pick tree; a state that repeats is left out.
+JoinedPath pathThrough(const Junction& junction, const ompl::base::SpaceInformationPtr& si);
 
 }  // namespace b4p

@@ -30,6 +30,11 @@ StateDistance GraspAccess::distance() const {
   return [space](const ob::State* a, const ob::State* b) { return space->distance(a, b); };
 }
 
+bool GraspAccess::samePlace(const ob::State* a, const ob::State* b) const {
+  if (!present_) return si_->equalStates(a, b);
+  return si_->getStateSpace()->as<ManipulationStateSpace>()->jointDistance(a, b) == 0.0;
+}
+
 Motion::Motion(const ob::SpaceInformationPtr& si, double range)
     : si_(si),
       grasps_(si),

@@ -19,6 +19,8 @@ class GraspAccess {
   GraspId get(const ompl::base::State* state) const;        ///< kNoGrasp where states carry none
   void set(ompl::base::State* state, GraspId grasp) const;  ///< nothing where states carry none
   StateDistance distance() const;
+  /// True when two states differ in nothing but, perhaps, the grasp.
+  bool samePlace(const ompl::base::State* a, const ompl::base::State* b) const;
 
  private:
   ompl::base::SpaceInformationPtr si_;

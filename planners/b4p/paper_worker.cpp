@@ -7,10 +7,10 @@ void PaperWorker::advance() {
   if (spawnForest()) return;
   const ompl::base::State* target = motion().sample();
   ForestPair& forests = search().commonForests();
-  const Node* pick = expand(forests, Side::kPick, target, motion());
-  const Node* place = expand(forests, Side::kPlace, target, motion());
-  search().statistics().nodes += (pick != nullptr) + (place != nullptr);
-  if (pick != nullptr && place != nullptr) connect({pick, place});
+  const Expansion pick = expand(forests, Side::kPick, target, motion());
+  const Expansion place = expand(forests, Side::kPlace, target, motion());
+  search().statistics().nodes += std::uint64_t{pick.added} + std::uint64_t{place.added};
+  if (pick.node != nullptr && place.node != nullptr) connect({pick.node, place.node});
 }
 
 // Algorithm 2, one root at a time so that all workers take part.
@@ -38,7 +38,7 @@ void PaperWorker::connect(const Junction& junction) {
   const Tree& place = *junction.place->tree;
   if (!motion().isFree(junction.pick->state, junction.place->state, pick.grasp)) return;
   if (pick.grasp == place.grasp) {
-    if (search().rootsMatch(junction)) search().publish(pathThrough(junction, search().si()));
+    if (search().rootsMatch(junction)) search().publish(junction);
   } else if (search().region() != nullptr && derivePlaceRoot(place.placement, pick.grasp)) {
     repair(junction, root());
   }

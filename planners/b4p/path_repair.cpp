@@ -59,7 +59,7 @@ PathRepair::Status PathRepair::step(Motion& motion) {
 
   std::lock_guard<std::mutex> lock(mutex_);
   if (!growth.junction || local != local_ || status_ != Status::kRunning) return status_;
-  detours_.push_back(pathThrough(*growth.junction, si_));
+  detours_.push_back(pathThrough(*growth.junction, si_).path);
   if (detours_.size() == runs_.size())
     status_ = Status::kSucceeded;
   else

@@ -57,9 +57,9 @@ bool Search::pickIsPlanted(const ob::State* root, GraspId grasp) {
 
 Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
   if (!allFinite(*si_->getStateSpace(), root)) return nullptr;
-  ++offered_[index(side)];
-  if (side == Side::kPick && pickIsPlanted(root, grasp)) return nullptr;
-  Tree* tree = forestsOf(grasp).plant(side, root, grasp, placement);
+  const bool known = side == Side::kPick && pickIsPlanted(root, grasp);
+  Tree* tree = known ? nullptr : forestsOf(grasp).plant(side, root, grasp, placement);
+  ++offered_[index(side)];  // after planting: who has seen the count sees the tree
   if (tree == nullptr) return nullptr;
   ++roots_[index(side)];
   countOne(statistics_.roots);
@@ -77,6 +77,19 @@ bool Search::rootsMatch(const Junction& junction) const {
   const Tree& pick = *junction.pick->tree;
   const Tree& place = *junction.place->tree;
   return pick.grasp == place.grasp && goal_->isStartGoalPairValid(pick.root->state, place.root->state);
+}
+
+void Search::publish(const Junction& junction) {
+  {
+    const std::lock_guard<std::mutex> lock(solution_mutex_);
+    connections_.push_back(junction);
+  }
+  publish(pathThrough(junction, si_).path);
+}
+
+std::vector<Junction> Search::connections() const {
+  const std::lock_guard<std::mutex> lock(solution_mutex_);
+  return connections_;
 }
 
 void Search::publish(const og::PathGeometric& path) {

@@ -68,9 +68,12 @@ class Search {
   /// True when the problem accepts a path between the roots of these nodes.
   bool rootsMatch(const Junction& junction) const;
 
-  /// A finished path. The first one ends the search.
+  /// A finished path, or the one through a junction of two trees of one grasp. The first one ends the search.
+  void publish(const Junction& junction);
   void publish(const ompl::geometric::PathGeometric& path);
   std::optional<ompl::geometric::PathGeometric> takeSolution();
+  /// Junctions published so far.
+  std::vector<Junction> connections() const;
   bool finished() const { return finished_.load(std::memory_order_acquire); }
 
   /// A repair that all workers take part in from now on; those submitted earlier come first.
@@ -103,7 +106,8 @@ class Search {
 
   std::mutex inputs_mutex_;
 
-  std::mutex solution_mutex_;
+  mutable std::mutex solution_mutex_;
+  std::vector<Junction> connections_;
   std::optional<ompl::geometric::PathGeometric> solution_;
   std::atomic<bool> finished_{false};
 

@@ -49,11 +49,11 @@ bool Worker::derivePlaceRoot(PlacementId placement, GraspId grasp) {
 }
 
 void Worker::repair(const Junction& junction, const ob::State* place_root) {
-  og::PathGeometric path = pathThrough(junction, search_.si());
-  search_.si()->copyState(path.getStates().back(), place_root);
-  motion_.grasps().set(path.getStates().back(), junction.pick->tree->grasp);
-  const std::size_t junction_index = depth(junction.pick) - 1;
-  search_.submit(std::make_shared<PathRepair>(search_.si(), std::move(path), junction, junction_index,
+  JoinedPath joined = pathThrough(junction, search_.si());
+  ob::State* end = joined.path.getStates().back();
+  search_.si()->copyState(end, place_root);
+  motion_.grasps().set(end, junction.pick->tree->grasp);
+  search_.submit(std::make_shared<PathRepair>(search_.si(), std::move(joined.path), junction, joined.junction,
                                               search_.parameters().repair_iterations, motion_));
 }
 

@@ -24,6 +24,9 @@ class Worker {
   /// One step. Does nothing once the search has finished. May throw what the problem's own functions throw.
   void step();
 
+  /// Lets others go on with what this worker has begun: it will not be stepped for a while.
+  virtual void rest() {}
+
  protected:
   /// One step of the search itself, when there is no repair to help with.
   virtual void advance() = 0;

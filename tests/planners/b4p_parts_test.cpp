@@ -112,9 +112,9 @@ TEST_F(Forests, PathRunsFromRootToRoot) {
   const Node* place = forests->plant(Side::kPlace, state(4, 1), kNoGrasp, kNoPlacement)->root;
   pick = forests->grow(pick, state(2, 1));
   place = forests->grow(place, state(3, 1));
-  EXPECT_EQ(depth(place), 2u);
-  const auto path = pathThrough({pick, place}, si);
+  const auto [path, junction] = pathThrough({pick, place}, si);
   ASSERT_EQ(path.getStateCount(), 4u);
+  EXPECT_EQ(junction, 1u);
   for (unsigned i = 0; i < 4; ++i) EXPECT_EQ(x(path.getState(i)), i + 1.0);
 }
 
@@ -122,7 +122,7 @@ TEST_F(Forests, PathEndsInThePlaceRootBitForBit) {
   const double almost_three = std::nextafter(3.0, 4.0);
   const Node* pick = forests->plant(Side::kPick, state(1, 1), kNoGrasp, kNoPlacement)->root;
   const Node* place = forests->plant(Side::kPlace, state(almost_three, 1), kNoGrasp, kNoPlacement)->root;
-  const auto path = pathThrough({forests->grow(pick, state(3, 1)), place}, si);
+  const auto path = pathThrough({forests->grow(pick, state(3, 1)), place}, si).path;
   EXPECT_EQ(path.getStateCount(), 2u);
   EXPECT_EQ(x(path.getState(1)), almost_three);
 }
@@ -130,7 +130,7 @@ TEST_F(Forests, PathEndsInThePlaceRootBitForBit) {
 TEST_F(Forests, PathBetweenEqualRootsHasBoth) {
   const Node* pick = forests->plant(Side::kPick, state(1, 1), kNoGrasp, kNoPlacement)->root;
   const Node* place = forests->plant(Side::kPlace, state(1, 1), kNoGrasp, kNoPlacement)->root;
-  EXPECT_EQ(pathThrough({pick, place}, si).getStateCount(), 2u);
+  EXPECT_EQ(pathThrough({pick, place}, si).path.getStateCount(), 2u);
 }
 
 TEST_F(Forests, ExpansionGoesAsFarAsTheMotionIsFree) {
@@ -138,12 +138,33 @@ TEST_F(Forests, ExpansionGoesAsFarAsTheMotionIsFree) {
   wall_end = 6.0;
   Motion motion(si, 0.0);
   forests->plant(Side::kPick, state(1, 1), kNoGrasp, kNoPlacement);
-  const Node* reached = expand(*forests, Side::kPick, state(9, 1), motion);
-  ASSERT_NE(reached, nullptr);
-  EXPECT_GT(x(reached->state), 4.9);
-  EXPECT_LT(x(reached->state), 5.0);
-  EXPECT_EQ(expand(*forests, Side::kPick, state(9, 1), motion), nullptr);  // it cannot move any farther
+  const Expansion there = expand(*forests, Side::kPick, state(9, 1), motion);
+  ASSERT_NE(there.node, nullptr);
+  EXPECT_TRUE(there.added);
+  EXPECT_FALSE(there.reached);
+  EXPECT_GT(x(there.node->state), 4.9);
+  EXPECT_LT(x(there.node->state), 5.0);
+  EXPECT_EQ(expand(*forests, Side::kPick, state(9, 1), motion).node, nullptr);  // it cannot move any farther
   EXPECT_EQ(forests->nodeCount(), 2u);
+}
+
+TEST_F(Forests, ExpansionToANodeAddsNone) {
+  Motion motion(si, 0.0);
+  const Node* root = forests->plant(Side::kPick, state(1, 1), kNoGrasp, kNoPlacement)->root;
+  const Expansion there = expand(*forests, Side::kPick, state(1, 1), motion);
+  EXPECT_EQ(there.node, root);
+  EXPECT_TRUE(there.reached);
+  EXPECT_FALSE(there.added);
+  EXPECT_EQ(forests->nodeCount(), 1u);
+}
+
+TEST_F(Forests, JunctionIsFoundInAPathThatLeavesOutRepeatedStates) {
+  const Node* pick = forests->plant(Side::kPick, state(1, 1), kNoGrasp, kNoPlacement)->root;
+  const Node* place = forests->plant(Side::kPlace, state(4, 1), kNoGrasp, kNoPlacement)->root;
+  pick = forests->grow(forests->grow(pick, state(1, 1)), state(2, 1));
+  const auto [path, junction] = pathThrough({pick, place}, si);
+  EXPECT_EQ(path.getStateCount(), 3u);
+  EXPECT_EQ(junction, 1u);
 }
 
 TEST_F(Forests, RangeBoundsAnExpansion) {
@@ -183,6 +204,7 @@ TEST_F(Forests, AnswersOfEquation3AreRemembered) {
   EXPECT_FALSE(memory.placeTree(7, 1));
   memory.setPlaceTree(7, 1, tree);
   memory.setPlaceTree(7, 2, nullptr);
+  memory.setPlaceTree(7, 1, nullptr);  // another worker found the root planted already
   EXPECT_EQ(*memory.placeTree(7, 1), tree);
   EXPECT_EQ(*memory.placeTree(7, 2), nullptr);
   EXPECT_FALSE(memory.placeTree(8, 1));

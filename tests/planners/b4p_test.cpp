@@ -2,10 +2,12 @@
 // Promises of B4P alone: one thread and one seed give one path; a worker's single steps can be taken from
 // outside; trees of different grasps are joined and their path repaired; Eq. 3 is not asked twice.
 #include <cstring>
-#include <set>
+#include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <ompl/base/PlannerData.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -59,6 +61,64 @@ TEST(B4PPlanner, OneSeedGivesTheSameBytesOnOneThread) {
     EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(double)), 0);
     EXPECT_NE(once, other);
   }
+}
+
+TEST(B4PPlanner, SaysWhatEndedItInACrash) {
+  ompl::msg::noOutputHandler();
+  const DiscProblem setup(narrowWorld());
+  const auto si = std::make_shared<ob::SpaceInformation>(setup.space);
+  si->setStateValidityChecker([](const ob::State*) -> bool { throw std::runtime_error("out of order"); });
+  si->setup();
+  B4P planner(si);
+  auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  problem->setGoal(setup.goal);
+  planner.setProblemDefinition(problem);
+  EXPECT_EQ(planner.ob::Planner::solve(5.0), ob::PlannerStatus::CRASH);
+  EXPECT_EQ(planner.lastError(), "out of order");
+}
+
+// All workers ask for the first pick root at once.
+TEST(B4PPlanner, OneRootAndManyThreads) {
+  ompl::msg::noOutputHandler();
+  DiscWorld world = narrowWorld();
+  world.walls.clear();
+  for (int run = 0; run < 200; ++run) {
+    const DiscProblem setup(world);
+    B4P planner(setup.si);
+    B4PParameters parameters;
+    parameters.paper = true;
+    parameters.threads = 8;
+    parameters.pick_roots = parameters.place_roots = 1;
+    planner.setParameters(parameters);
+    planner.setProblemDefinition(setup.problem);
+    EXPECT_EQ(planner.ob::Planner::solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+  }
+}
+
+// Forests in the hands of a worker that is not stepped any more would never grow again.
+TEST(B4PPlanner, FewerThreadsStarveNoForests) {
+  ompl::msg::noOutputHandler();
+  DiscWorld world = narrowWorld();
+  world.walls = wallWithOpening(0.0);
+  const DiscProblem setup(world);
+  B4P planner(setup.si);
+  planner.setProblemDefinition(setup.problem);
+  const auto nodesOfEachGrasp = [&] {
+    ob::PlannerData data(setup.si);
+    planner.getPlannerData(data);
+    std::vector<unsigned> nodes(world.grasps.size(), 0);
+    for (unsigned i = 0; i < data.numVertices(); ++i)
+      ++nodes.at(static_cast<std::size_t>(data.getVertex(i).getState()->as<StateType>()->grasp));
+    return nodes;
+  };
+  planner.params().setParam("threads", "4");
+  EXPECT_EQ(planner.ob::Planner::solve(0.3), ob::PlannerStatus::TIMEOUT);
+  const auto before = nodesOfEachGrasp();
+  planner.params().setParam("threads", "1");
+  EXPECT_EQ(planner.ob::Planner::solve(2.0), ob::PlannerStatus::TIMEOUT);
+  const auto after = nodesOfEachGrasp();
+  for (std::size_t grasp = 0; grasp < after.size(); ++grasp)
+    EXPECT_GT(after[grasp], before[grasp] + 20) << grasp;
 }
 
 /// A search whose workers the test steps by hand.

@@ -109,6 +109,14 @@ TEST_F(ManipulationSpace, NonFiniteStatesAreInvalid) {
   }
 }
 
+TEST_F(ManipulationSpace, UnknownGraspsAreInvalid) {
+  for (const GraspId unknown : {8, 1000, -2}) {
+    EXPECT_FALSE(setup.si->isValid(state(5, 5, unknown)));
+    EXPECT_FALSE(setup.si->checkMotion(state(5, 5, unknown), state(6, 5, unknown)));
+  }
+  EXPECT_TRUE(setup.si->isValid(state(5, 5, kNoGrasp)));
+}
+
 TEST_F(ManipulationSpace, MotionsDoNotChangeTheGrasp) {
   EXPECT_TRUE(setup.si->checkMotion(state(2, 5, 1), state(3, 5, 1)));
   EXPECT_FALSE(setup.si->checkMotion(state(2, 5, 1), state(3, 5, 2)));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
 
@@ -120,6 +121,16 @@ TEST_P(PickPlaceProblem, GivenStartStatesArePlanted) {
     found = found || setup.si->equalStates(data.getStartVertex(i).getState(), start);
   EXPECT_TRUE(found);
   setup.si->freeState(start);
+}
+
+TEST_P(PickPlaceProblem, StartStatesWithoutAGraspAreLeftOut) {
+  const DiscProblem setup(world(3.0));
+  ompl::base::ScopedState<ManipulationStateSpace> start(setup.si);
+  start->q[0] = start->q[1] = 2.0;
+  start->grasp = kNoGrasp;
+  setup.problem->addStartState(start);
+  EXPECT_EQ(solve(setup, kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
+  expectSound(setup);
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, PickPlaceProblem, ::testing::ValuesIn(plannerCases()), caseName);
