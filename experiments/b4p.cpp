@@ -23,6 +23,7 @@ int fail(const std::string& message, ExitCode code) {
 int runCommandLine(int argc, char** argv) {
   CLI::App app("Plans how to pick, carry and place an object: grasp, placement and motion at once.", "b4p");
   app.footer(
+      "Units: seconds, metres, radians; the names of options and keys end in _s (-s), _m, _rad.\n"
       "Exit codes: 0 solved, 1 ran but unsolved, 2 bad input, 3 a result failed verification, 4 internal "
       "error, "
       "130 interrupted.");

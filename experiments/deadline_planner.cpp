@@ -6,10 +6,21 @@
 #include <utility>
 
 #include "experiments/interrupt.h"
+#include "planners/b4p/b4p_planner.h"
 
 namespace b4p {
 
 namespace ob = ompl::base;
+
+namespace {
+
+/// Why a planner says that it crashed, having caught the exception by itself.
+std::string ownAccount(const ob::Planner& planner) {
+  const auto* b4p = dynamic_cast<const B4P*>(&planner);
+  return b4p == nullptr || b4p->lastError().empty() ? "the planner gives no reason" : b4p->lastError();
+}
+
+}  // namespace
 
 DeadlinePlanner::DeadlinePlanner(const ob::PlannerPtr& planner, double limit_s, Preparation prepare,
                                  std::function<void()> finish)
@@ -37,6 +48,7 @@ ob::PlannerStatus DeadlinePlanner::solve(const ob::PlannerTerminationCondition& 
     // Without any start state planners say INVALID_START; here it means that the time ran out.
     status = pdef_->getStartStateCount() == 0 && done() ? ob::PlannerStatus(ob::PlannerStatus::TIMEOUT)
                                                         : planner_->solve(done);
+    if (status == ob::PlannerStatus::CRASH) crash_ = ownAccount(*planner_);
   } catch (const std::exception& e) {
     crash_ = e.what();
   } catch (...) {

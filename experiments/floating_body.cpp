@@ -9,7 +9,7 @@
 namespace b4p {
 namespace {
 
-constexpr double kTravel_m = 1e3;  ///< farther than any scene reaches
+constexpr double kTravel_m = 1e4;  ///< farther than any scene reaches
 constexpr double kTurn_rad = 6.3;  ///< a full turn
 constexpr const char* kTcp = "floating_tcp";
 

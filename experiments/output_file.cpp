@@ -16,10 +16,27 @@ namespace {
 
 std::string temporaryBeside(const std::string& file) { return file + ".part" + std::to_string(::getpid()); }
 
+/// The regular file to replace, or the place of a new one. Renaming onto a link, device or pipe would remove
+/// it.
+std::string destination(const std::string& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  const bool link = fs::is_symlink(fs::symlink_status(file, error));
+  if (fs::is_directory(status)) throw InputError(file, "", "cannot be written (is a folder)");
+  if (link && !fs::exists(status)) throw InputError(file, "", "cannot be written (is a link to nothing)");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw InputError(file, "", "cannot be written (is not a regular file)");
+  if (!link) return file;
+  const fs::path target = fs::canonical(file, error);
+  if (error) throw InputError(file, "", "cannot be written (" + error.message() + ")");
+  return target.string();
+}
+
 }  // namespace
 
 void writeFile(const std::string& file, const std::string& content) {
-  const std::string temporary = temporaryBeside(file);
+  const std::string target = destination(file);
+  const std::string temporary = temporaryBeside(target);
   std::error_code error;
   {
     std::ofstream out(temporary, std::ios::binary);
@@ -29,7 +46,7 @@ void writeFile(const std::string& file, const std::string& content) {
       throw InputError(file, "", "cannot be written");
     }
   }
-  fs::rename(temporary, file, error);
+  fs::rename(temporary, target, error);
   if (error) {
     const std::string reason = error.message();
     fs::remove(temporary, error);
@@ -39,8 +56,7 @@ void writeFile(const std::string& file, const std::string& content) {
 
 void requireWritableFile(const std::string& file) {
   std::error_code error;
-  if (fs::is_directory(file, error)) throw InputError(file, "", "cannot be written (is a folder)");
-  const std::string temporary = temporaryBeside(file);
+  const std::string temporary = temporaryBeside(destination(file));
   const bool good = static_cast<bool>(std::ofstream(temporary));
   fs::remove(temporary, error);
   if (!good) throw InputError(file, "", "cannot be written");

@@ -21,6 +21,9 @@ namespace {
 /// Picks that an ordinary planner starts from where grasps form a continuum.
 constexpr int kManyStarts = 64;
 
+constexpr const char* kThreads = "threads";
+constexpr const char* kPaper = "paper";
+
 ob::PlannerPtr makePaperB4P(const ob::SpaceInformationPtr& si) {
   auto planner = std::make_shared<B4P>(si);
   planner->params().setParam("paper", "1");
@@ -72,9 +75,22 @@ const PlannerKind& PlannerCatalogue::find(const std::string& name, const std::st
   throw InputError(where, "", "no planner is called '" + name + "'; there are: " + known);
 }
 
+std::string parameterMeaning(const std::string& name) {
+  static const std::map<std::string, std::string> meanings{
+      {kThreads, "parallel workers (count); set by --threads"},
+      {kPaper, "1: the algorithm as printed; set by the planner's name"},
+      {"pick_roots", "b4p-paper: pick trees (count)"},
+      {"place_roots", "b4p-paper: place trees (count)"},
+      {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
+      {"slice", "b4p: turns of growth (iterations) of a grasp before another has its own"},
+      {"root_attempts", "b4p: placements tried per turn of root drawing (count)"},
+      {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"}};
+  const auto found = meanings.find(name);
+  return found == meanings.end() ? "" : found->second;
+}
+
 ob::PlannerPtr makePlanner(const PlannerKind& kind, const PlannerParameters& parameters, unsigned threads,
                            const ob::SpaceInformationPtr& si, const std::string& where) {
-  constexpr const char* kThreads = "threads";
   ob::PlannerPtr planner = kind.make(si);
   ob::ParamSet& known = planner->params();
   if (known.hasParam(kThreads)) {
@@ -85,6 +101,8 @@ ob::PlannerPtr makePlanner(const PlannerKind& kind, const PlannerParameters& par
                      kind.name + " runs on one thread (" + std::to_string(threads) + " asked for)");
   }
   for (const auto& [name, value] : parameters) {
+    if (name == kPaper && dynamic_cast<const B4P*>(planner.get()) != nullptr)
+      throw InputError(where, name, "is said by the planner's name, b4p or b4p-paper, not by a parameter");
     if (name == kThreads) throw InputError(where, name, "is an option of its own, not a parameter");
     if (!known.hasParam(name)) throw InputError(where, name, kind.name + " has no such parameter");
     if (!set(known, name, value))

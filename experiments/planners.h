@@ -38,10 +38,13 @@ class PlannerCatalogue {
   std::vector<PlannerKind> kinds_;
 };
 
+/// What a parameter of B4P means, with its unit; "" for others.
+std::string parameterMeaning(const std::string& name);
+
 /// Makes a planner and sets its parameters.
 /// @param threads  >= 1; the planner's parameter `threads` where it has one
-/// @throws InputError for an unknown parameter, a value that the planner does not take, or several threads
-/// for a planner of one
+/// @throws InputError for an unknown parameter, B4P's `paper` (which the planner's name says), a value that
+/// the planner does not take, or several threads for a planner of one
 ompl::base::PlannerPtr makePlanner(const PlannerKind& kind, const PlannerParameters& parameters,
                                    unsigned threads, const ompl::base::SpaceInformationPtr& si,
                                    const std::string& where);

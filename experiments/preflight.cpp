@@ -18,15 +18,18 @@ constexpr int kGraspDraws = 400;
 constexpr int kEnoughGrasps = 20;
 constexpr int kPlacementDraws = 400;
 
-void requireObjectFree(const Problem& problem) {
-  FloatingBody object(*FloatingBody::makeChecker(problem.checker->problem(), FloatingBody::Parts::kObject));
-  const Grasp at_origin;
-  const std::string collision = object.describeCollision(problem.scene.X_WO_start, at_origin);
+/// The clearance that the scene states is checked like any collision, of an object grown by it.
+void requireObjectClear(const Problem& problem) {
+  constexpr double kRounding_m = 1e-6;
+  const Scene& scene = problem.scene;
+  CollisionProblem grown = problem.checker->problem();
+  grown.padding_m = std::max(scene.edge_step_m / 2.0, scene.contact_clearance_m - kRounding_m);
+  FloatingBody object(*FloatingBody::makeChecker(grown, FloatingBody::Parts::kObject));
+  const std::string collision = object.describeCollision(scene.X_WO_start, Grasp());
   if (!collision.empty())
-    throw InputError(problem.scene.file, "object.start",
-                     "the start pose is in collision (" + collision +
-                         "; the object is checked with a margin of " +
-                         std::to_string(problem.scene.edge_step_m / 2.0) + " m)");
+    throw InputError(scene.file, "object.start",
+                     "is nearer to an obstacle (" + collision + ") than contact_clearance_m, " +
+                         std::to_string(scene.contact_clearance_m) + " m");
 }
 
 /// Tally of why grasps drawn are of no use.
@@ -78,32 +81,9 @@ void requireReachableRegion(const Problem& problem, SceneRegionContext& context,
 
 void preflight(const Scene& scene) {
   const Problem problem = makeProblem(scene);
-  requireObjectFree(problem);
+  requireObjectClear(problem);
   const auto context = problem.region->makeSceneContext(kSeed);
   requireReachableRegion(problem, *context, validGrasps(problem, *context));
-}
-
-PickSurvey surveyPicks(const Scene& scene, int count, std::uint64_t seed) {
-  constexpr int kDrawsPerGrasp = 8;
-  const Problem problem = makeProblem(scene);
-  const auto context = problem.region->makeSceneContext(seed);
-  PickSurvey survey;
-  if (problem.region->finite()) {
-    std::vector<double> q(static_cast<std::size_t>(problem.robot->dof()));
-    for (GraspId id = 0; id < problem.region->graspCount(); ++id, ++survey.drawn)
-      for (int draw = 0; draw < kDrawsPerGrasp; ++draw)
-        if (context->pickRoot(id, q.data())) {
-          ++survey.valid;
-          break;
-        }
-    return survey;
-  }
-  for (; survey.drawn < count; ++survey.drawn) {
-    Grasp grasp;
-    std::string collision;
-    if (context->probePick(grasp, collision) == RootOutcome::kValid) ++survey.valid;
-  }
-  return survey;
 }
 
 }  // namespace b4p

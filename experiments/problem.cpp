@@ -7,7 +7,6 @@
 
 #include <ompl/base/ScopedState.h>
 
-#include "experiments/scene_motion_checker.h"
 #include "robots/input_error.h"
 #include "robots/robot_model.h"
 
@@ -53,8 +52,8 @@ Problem makeProblem(const Scene& scene) {
   problem.space = std::make_shared<ManipulationStateSpace>(jointBounds(*problem.robot));
   problem.space->setGraspCount([region = problem.region] { return region->graspCount(); });
   problem.counts = std::make_shared<ValidityCounts>();
-  problem.si = makeManipulationSpaceInformation(
-      problem.space, std::make_shared<SceneMotionChecker>(problem.checker, problem.region), problem.counts);
+  problem.motions = std::make_shared<SceneMotionChecker>(problem.checker, problem.region);
+  problem.si = makeManipulationSpaceInformation(problem.space, problem.motions, problem.counts);
   problem.goal = std::make_shared<PlaceGoal>(problem.si, problem.region);
   problem.setup = std::make_shared<og::SimpleSetup>(problem.si);
   problem.setup->setGoal(problem.goal);

@@ -9,6 +9,7 @@
 #include <ompl/geometric/SimpleSetup.h>
 
 #include "experiments/scene.h"
+#include "experiments/scene_motion_checker.h"
 #include "experiments/scene_region.h"
 #include "planners/manipulation_state_space.h"
 #include "planners/manipulation_validity.h"
@@ -25,6 +26,7 @@ struct Problem {
   std::shared_ptr<const CollisionChecker> checker;
   std::shared_ptr<const SceneRegion> region;
   std::shared_ptr<ManipulationStateSpace> space;
+  std::shared_ptr<const SceneMotionChecker> motions;
   ompl::base::SpaceInformationPtr si;
   std::shared_ptr<ValidityCounts> counts;
   std::shared_ptr<PlaceGoal> goal;

@@ -36,12 +36,12 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
   requireTimeLimit(settings.time_limit_s, where, "time limit");
   const PlannerKind& kind = catalogue.find(settings.planner, where);
   const auto prepare = [this, starts = kind.start_states](const ob::PlannerTerminationCondition& done) {
-    state_checks_ = problem_.counts->states;
+    configurations_ = problem_.motions->configurationsChecked();
     edge_checks_ = problem_.counts->edges;
     addStartStates(problem_, starts, derivedSeed(settings_.seed, kStartStream), done);
   };
   const auto finish = [this] {
-    state_checks_ = problem_.counts->states - state_checks_;
+    configurations_ = problem_.motions->configurationsChecked() - configurations_;
     edge_checks_ = problem_.counts->edges - edge_checks_;
   };
   planner_ = std::make_shared<DeadlinePlanner>(

@@ -45,8 +45,9 @@ class Query {
   PlanResult result(const ompl::base::PlannerStatus& status) const;
   PlanResult result() const { return result(status_); }
 
-  /// Checks asked for by the planner, not counting those that others made before and afterwards.
-  std::uint64_t stateChecks() const { return state_checks_; }
+  /// Configurations checked for the planner, along motions included, and motions it asked for; not counting
+  /// those of others before and afterwards.
+  std::uint64_t configurationsChecked() const { return configurations_; }
   std::uint64_t edgeChecks() const { return edge_checks_; }
 
  private:
@@ -55,7 +56,7 @@ class Query {
   Problem problem_;
   std::shared_ptr<DeadlinePlanner> planner_;
   ompl::base::PlannerStatus status_;
-  std::uint64_t state_checks_ = 0;
+  std::uint64_t configurations_ = 0;
   std::uint64_t edge_checks_ = 0;
 };
 

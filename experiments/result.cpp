@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/result.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -14,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/output_file.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -220,27 +219,11 @@ Json parse(std::istream& stream, const std::string& file) {
   }
 }
 
-/// A name beside `file` that no other process uses.
-std::string temporaryName(const std::string& file) { return file + ".tmp" + std::to_string(getpid()); }
-
-[[noreturn]] void failToWrite(const std::string& file, const std::string& temporary) {
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  throw InputError(file, "", "cannot be written");
-}
-
 }  // namespace
 
 void writeResult(const std::string& file, const PlanResult& result) {
   const std::string text = toJson(result).dump(kIndent, ' ', false, Json::error_handler_t::replace);
-  const std::string temporary = temporaryName(file);
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << text << '\n';
-  stream.close();
-  if (!stream) failToWrite(file, temporary);
-  std::error_code error;
-  fs::rename(temporary, file, error);
-  if (error) failToWrite(file, temporary);
+  writeFile(file, text + "\n");
 }
 
 PlanResult readResult(const std::string& file) {
@@ -270,19 +253,6 @@ PlanResult readResult(const std::string& file) {
   readMotion(root, result);
   result.verification = readVerification(root["verification"]);
   return result;
-}
-
-void requireWritableDirectory(const std::string& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error || !fs::is_directory(directory, error))
-    throw InputError(directory, "", "cannot be created as a folder");
-  const std::string probe = temporaryName((fs::path(directory) / "probe").string());
-  std::ofstream stream(probe);
-  const bool writable = static_cast<bool>(stream << '\n' << std::flush);
-  stream.close();
-  if (!writable) failToWrite(directory, probe);
-  fs::remove(probe, error);
 }
 
 }  // namespace b4p

@@ -42,8 +42,8 @@ struct PlanResult {
   Verification verification;
 };
 
-/// Writes UTF-8 JSON atomically: a temporary file beside `file`, then a rename. Poses are written as position
-/// and rotation matrix, and every number with the digits that read back to the same bits.
+/// Writes UTF-8 JSON as writeFile() does. Poses are written as position and rotation matrix, and every number
+/// with the digits that read back to the same bits.
 /// @throws InputError if the place cannot be written; std::invalid_argument if a number is not finite, since
 ///   readResult() would refuse the file.
 void writeResult(const std::string& file, const PlanResult& result);
@@ -52,9 +52,5 @@ void writeResult(const std::string& file, const PlanResult& result);
 ///   key that is missing, unknown or repeated; a value of the wrong type, out of range or not finite;
 ///   way-points that differ in length from the joint names.
 PlanResult readResult(const std::string& file);
-
-/// Makes sure that files can be written in a folder, creating it where it is missing.
-/// @throws InputError naming the folder when they cannot.
-void requireWritableDirectory(const std::string& directory);
 
 }  // namespace b4p

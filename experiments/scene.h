@@ -61,9 +61,9 @@ struct Scene {
   GraspSource grasps;
   PlacementSource placement;
   double edge_step_m = 0.01;
-  double contact_clearance_m =
-      0.0;                 ///< height at which the object is held over its support at pick and place
-  double budget_s = 10.0;  ///< the scene's usual time limit
+  double contact_clearance_m = 0.0;  ///< the least distance of the held object from obstacles at the start
+                                     ///< pose; preflight() checks it
+  double budget_s = 10.0;            ///< the scene's usual time limit
   SceneNumbers numbers;
 };
 

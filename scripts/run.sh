@@ -34,7 +34,7 @@ b4p="$root/build/release/experiments/b4p"
 scenes=(maze grocery)
 
 heading "Benchmark experiments/demo.yaml"
-"$b4p" bench "$root/experiments/demo.yaml" --out "$out"
+"$b4p" bench "$root/experiments/demo.yaml" --out "$out" --overwrite
 
 heading "Database and plots"
 "$python" "$root/scripts/database.py" "${scenes[@]/%/.log}" -o demo.db

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -59,6 +60,10 @@ class CollisionContext {
   /// Names of the first colliding pair at q ("panda_hand, shelf_top"; the object is called "held object"), or
   /// of the joint outside its limits, or "" when free. Slow; for messages.
   virtual std::string describeCollision(const double* q, const Grasp* held) = 0;
+
+  /// How many configurations have been looked at in isFree(), isEdgeFree() and freeFraction() so far; 0 where
+  /// a checker does not count.
+  virtual std::uint64_t configurationsChecked() const { return 0; }
 };
 
 /// Immutable after construction and shared by all threads; each thread takes its own context. Contexts

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 namespace b4p {
 
@@ -13,6 +14,7 @@ class EdgeSamples {
  public:
   /// @param swept_m  bound (m) of how far any point travels along the edge; between neighbours it is at most
   /// step_m
+  /// @throws std::invalid_argument for an edge of more than a thousand million samples
   EdgeSamples(const double* q1, const double* q2, int dof, double swept_m, double step_m)
       : q1_(q1), q2_(q2), dof_(dof), last_(intervals(swept_m, step_m)) {}
 
@@ -36,8 +38,10 @@ class EdgeSamples {
   // cut at a sample, is then checked at the same configurations again.
   static std::int64_t intervals(double swept_m, double step_m) {
     constexpr double kRounding = 1e-9;
-    return std::max<std::int64_t>(1,
-                                  static_cast<std::int64_t>(std::ceil(swept_m / step_m * (1.0 - kRounding))));
+    constexpr double kMostIntervals = 1e9;
+    const double count = std::ceil(swept_m / step_m * (1.0 - kRounding));
+    if (!(count <= kMostIntervals)) throw std::invalid_argument("an edge has too many samples to be checked");
+    return std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
   }
 
   const double* q1_;

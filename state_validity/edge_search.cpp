@@ -95,6 +95,7 @@ void EdgeSearch::start(const EdgeSamples& samples) {
 
 bool EdgeSearch::check(const EdgeSamples& samples, std::int64_t k, std::int64_t reach, std::size_t begin,
                        std::size_t end) {
+  ++checked_;
   samples.at(k, q_.data());
   pieces_.place(q_.data());
   for (std::size_t i = begin; i < end; ++i) {

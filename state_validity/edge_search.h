@@ -29,6 +29,9 @@ class EdgeSearch {
   /// Smallest k <= last at which a sample collides; last + 1 if there is none. The first sample comes first.
   std::int64_t firstBlocked(const EdgeSamples& samples, std::int64_t last);
 
+  /// Configurations looked at so far.
+  std::uint64_t checked() const { return checked_; }
+
  private:
   // Samples first .. last are still to be checked for the pairs listed in active_[begin .. end).
   struct Stretch {
@@ -56,6 +59,7 @@ class EdgeSearch {
   std::vector<double> pair_motion_m_;  ///< bound of a pair's approach, from one sample to the next
   std::vector<int> active_;            ///< indices of pairs
   std::vector<Stretch> stretches_;
+  std::uint64_t checked_ = 0;
 };
 
 }  // namespace b4p

@@ -21,6 +21,7 @@ FclContext::FclContext(std::shared_ptr<const FclWorld> world)
 
 bool FclContext::isFree(const double* q, const Grasp* held) {
   requireFinite(q, robot().dof());
+  ++states_checked_;
   pieces_.hold(held);
   if (pieces_.rigidCollision() || !robot().withinLimits(q)) return false;
   pieces_.place(q);

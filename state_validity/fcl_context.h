@@ -20,6 +20,7 @@ class FclContext : public CollisionContext {
   bool isEdgeFree(const double* q1, const double* q2, const Grasp* held) override;
   double freeFraction(const double* q1, const double* q2, const Grasp* held) override;
   std::string describeCollision(const double* q, const Grasp* held) override;
+  std::uint64_t configurationsChecked() const override { return states_checked_ + search_.checked(); }
 
  private:
   const Manipulator& robot() const { return pieces_.world().robot(); }
@@ -30,6 +31,7 @@ class FclContext : public CollisionContext {
   PosedPieces pieces_;
   EdgeSearch search_;
   std::vector<double> q_;
+  std::uint64_t states_checked_ = 0;
   std::size_t last_hit_ =
       0;  ///< pair that collided last; looked at first, since neighbours tend to collide alike
 };

@@ -4,6 +4,7 @@
 
 #include "experiments/commands/commands.h"
 #include "experiments/commands/progress_line.h"
+#include "experiments/commands/whole_number.h"
 #include "experiments/interrupt.h"
 #include "experiments/runner/experiment.h"
 #include "experiments/runner/runner.h"
@@ -11,35 +12,75 @@
 namespace b4p {
 namespace {
 
-int bench(const std::string& file, const std::string& out) {
-  const Experiment experiment = loadExperiment(file);
-  BenchmarkRunner runner(experiment, PlannerCatalogue::standard(), out);
+constexpr const char* kWhere = "b4p bench";
+
+struct Options {
+  std::string experiment;
+  std::string out;
+  std::string runs, seed, threads;  ///< empty: as the experiment's file says
+  double time_limit_s = 0.0;
+  bool has_time_limit = false;
+  bool overwrite = false;
+};
+
+ExperimentOverrides overridesFrom(const Options& options) {
+  ExperimentOverrides overrides;
+  if (!options.runs.empty())
+    overrides.runs = static_cast<int>(wholeNumber(options.runs, 1, kMostRuns, kWhere, "--runs"));
+  if (!options.seed.empty()) overrides.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
+  if (!options.threads.empty())
+    overrides.threads =
+        static_cast<unsigned>(wholeNumber(options.threads, 1, kMostThreads, kWhere, "--threads"));
+  if (options.has_time_limit) {
+    requireTimeLimit(options.time_limit_s, kWhere, "--time-limit-s");
+    overrides.time_limit_s = options.time_limit_s;
+  }
+  return overrides;
+}
+
+ExitCode outcome(const BenchmarkRunner& runner) {
+  if (runner.anyCrashed()) return kInternalError;
+  if (runner.anyFailedVerification()) return kNotVerified;
+  if (interrupted()) return kInterrupted;
+  return runner.anySolved() ? kSolved : kUnsolved;
+}
+
+int bench(const Options& options) {
+  const Experiment experiment = loadExperiment(options.experiment, overridesFrom(options));
+  BenchmarkRunner runner(experiment, PlannerCatalogue::standard(), options.out, options.overwrite);
   catchInterrupts();
   {
     const ProgressLine progress([&runner] { return runner.progress(); });
     runner.run();
   }
-  std::cout << runner.report() << "written to " << out << "\n";
-  if (runner.anyFailedVerification()) return kNotVerified;
-  return interrupted() ? kInterrupted : kSolved;
+  std::cout << runner.report() << "written to " << options.out << "\n";
+  return outcome(runner);
 }
 
 }  // namespace
 
 void addBenchCommand(CLI::App& app, Run& run) {
-  struct Options {
-    std::string experiment;
-    std::string out;
-  };
-  CLI::App* command = app.add_subcommand("bench",
-                                         "Run an experiment and write OMPL benchmark logs, result files and "
-                                         "a summary. Ctrl-C ends the run under way "
-                                         "and keeps those before it");
+  CLI::App* command = app.add_subcommand(
+      "bench",
+      "Run an experiment and write OMPL benchmark logs, result files and a summary. Ctrl-C ends the run "
+      "under "
+      "way and keeps those before it. Exit code: 4 if any run crashed, else 3 if any result failed its "
+      "verification, else 130 if interrupted, else 1 if no run was solved, else 0");
   auto options = std::make_shared<Options>();
   command->add_option("EXPERIMENT", options->experiment, "Experiment file (YAML)")->required();
   command->add_option("--out", options->out, "Folder for what is written")->required();
-  command->callback(
-      [&run, options] { run = [options] { return bench(options->experiment, options->out); }; });
+  command->add_option("--runs", options->runs, "Runs per scene and planner [the file's runs]");
+  command->add_option("--seed", options->seed, "Seed [the file's seed]");
+  command->add_option("--threads", options->threads,
+                      "Threads of planners that do not state their own [the file's threads]");
+  CLI::Option* limit = command->add_option("--time-limit-s", options->time_limit_s,
+                                           "Time limit of a run in seconds [the file's time_limit_s]");
+  command->add_flag("--overwrite", options->overwrite,
+                    "Remove *.log and results/*.json that the folder holds already");
+  command->callback([&run, options, limit] {
+    options->has_time_limit = limit->count() > 0;
+    run = [options] { return bench(*options); };
+  });
 }
 
 }  // namespace b4p

@@ -8,6 +8,7 @@
 #include "experiments/commands/commands.h"
 #include "experiments/planners.h"
 #include "experiments/scene.h"
+#include "planners/b4p/b4p_planner.h"
 
 namespace b4p {
 namespace {
@@ -20,10 +21,10 @@ void listScenes() {
               << " s, edge step " << scene.edge_step_m << " m\n    ";
     const SceneNumbers& n = scene.numbers;
     if (n.grasps_sampled > 0)
-      std::cout << "of " << n.grasps_sampled << " grasps sampled, " << n.grasps_valid_at_pick
+      std::cout << "stated: of " << n.grasps_sampled << " grasps sampled, " << n.grasps_valid_at_pick
                 << " are valid at the pick and " << n.grasps_compatible << " compatible with a placement\n";
     else
-      std::cout << "grasps not counted yet\n";
+      std::cout << "no numbers stated\n";
   }
 }
 
@@ -31,7 +32,7 @@ void listPlanners() {
   // Parameters belong to planner objects, so one of each is made, on a space that nothing is planned in.
   const auto si =
       std::make_shared<ompl::base::SpaceInformation>(std::make_shared<ompl::base::RealVectorStateSpace>(1));
-  std::cout << "Planners (parameters: default, range)\n";
+  std::cout << "Planners (parameters: default, range; meaning)\n";
   const PlannerCatalogue catalogue = PlannerCatalogue::standard();
   for (const PlannerKind& kind : catalogue.kinds()) {
     std::cout << "  " << kind.name << ": " << kind.description << "\n";
@@ -39,7 +40,8 @@ void listPlanners() {
     for (const auto& [name, parameter] : planner->params().getParams()) {
       std::cout << "    " << name << ": " << parameter->getValue();
       if (!parameter->getRangeSuggestion().empty()) std::cout << ", " << parameter->getRangeSuggestion();
-      std::cout << "\n";
+      const std::string meaning = dynamic_cast<const B4P*>(planner.get()) ? parameterMeaning(name) : "";
+      std::cout << (meaning.empty() ? "" : "; ") << meaning << "\n";
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "experiments/commands/commands.h"
 #include "experiments/commands/progress_line.h"
+#include "experiments/commands/whole_number.h"
 #include "experiments/forest_file.h"
 #include "experiments/interrupt.h"
 #include "experiments/output_file.h"
@@ -25,8 +26,8 @@ struct Options {
   std::string scene;
   std::string planner = "b4p";
   std::vector<std::string> parameters;
-  std::int64_t seed = 1;
-  int threads = 1;
+  std::string seed = "1";
+  std::string threads = "1";
   double time_limit_s = 0.0;
   bool has_time_limit = false;
   std::string out = "result.json";
@@ -46,15 +47,12 @@ PlannerParameters parsed(const std::vector<std::string>& words) {
 }
 
 QuerySettings settingsFrom(const Options& options, const Scene& scene) {
-  if (options.threads < 1)
-    throw InputError(kWhere, "--threads", "has to be at least 1 (" + std::to_string(options.threads) + ")");
-  if (options.seed < 0)
-    throw InputError(kWhere, "--seed", "has to be at least 0 (" + std::to_string(options.seed) + ")");
   QuerySettings settings;
   settings.planner = options.planner;
   settings.parameters = parsed(options.parameters);
-  settings.seed = static_cast<std::uint64_t>(options.seed);
-  settings.threads = static_cast<unsigned>(options.threads);
+  settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
+  settings.threads =
+      static_cast<unsigned>(wholeNumber(options.threads, 1, kMostThreads, kWhere, "--threads"));
   settings.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;
   requireTimeLimit(settings.time_limit_s, kWhere, "--time-limit-s");
   return settings;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/verification/verifier.h"
 
-#include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 
 #include "experiments/commands/commands.h"
 #include "experiments/result.h"
 #include "experiments/scene.h"
+#include "robots/input_error.h"
 
 namespace b4p {
 namespace {
@@ -15,6 +16,11 @@ namespace {
 /// @return the exit code that this file alone would give
 ExitCode verifyFile(const std::string& file) {
   const PlanResult result = readResult(file);
+  const std::string contradiction = inconsistency(result);
+  if (!contradiction.empty()) {
+    std::cout << file << ": FAILED: " << contradiction << "\n";
+    return kNotVerified;
+  }
   if (!result.solved) {
     std::cout << file << ": holds no path (" << result.status << ")\n";
     return kUnsolved;
@@ -29,22 +35,35 @@ ExitCode verifyFile(const std::string& file) {
   return kSolved;
 }
 
+/// All files, whatever becomes of those before. A failed verification outweighs a file that cannot be read,
+/// and that a file without a path.
+ExitCode verifyFiles(const std::vector<std::string>& files) {
+  std::array<bool, kInternalError> met{};
+  for (const std::string& file : files) {
+    try {
+      met[verifyFile(file)] = true;
+    } catch (const InputError& e) {
+      std::cerr << "b4p: " << e.what() << std::endl;
+      met[kBadInput] = true;
+    }
+  }
+  for (const ExitCode code : {kNotVerified, kBadInput, kUnsolved})
+    if (met[code]) return code;
+  return kSolved;
+}
+
 }  // namespace
 
 void addVerifyCommand(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("verify",
                                          "Re-check result files by code that shares nothing with the "
-                                         "planning checker, at a 10 times finer step");
+                                         "planning checker, at a 10 times finer step. Exit code: 3 if any "
+                                         "fails, else 2 if any cannot be read, else 1 if any "
+                                         "holds no path, else 0");
   auto files = std::make_shared<std::vector<std::string>>();
   command->add_option("RESULT", *files, "Result files (JSON) that `b4p plan` or `b4p bench` wrote")
       ->required();
-  command->callback([&run, files] {
-    run = [files] {
-      int worst = kSolved;
-      for (const std::string& file : *files) worst = std::max<int>(worst, verifyFile(file));
-      return worst;
-    };
-  });
+  command->callback([&run, files] { run = [files] { return verifyFiles(*files); }; });
 }
 
 }  // namespace b4p

@@ -36,7 +36,7 @@ std::string sceneFor(const YamlValue& item) {
 
 }  // namespace
 
-Experiment loadExperiment(const std::string& file) {
+Experiment loadExperiment(const std::string& file, const ExperimentOverrides& overrides) {
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSchema);
   document.allowKeys({"schema", "name", "runs", "time_limit_s", "threads", "seed", "scenes", "planners"});
@@ -46,7 +46,11 @@ Experiment loadExperiment(const std::string& file) {
   experiment.runs = document["runs"].integer(1, kMostRuns);
   experiment.time_limit_s = document["time_limit_s"].positive();
   experiment.seed = static_cast<std::uint64_t>(document["seed"].integer(0, std::numeric_limits<int>::max()));
-  const auto threads = static_cast<unsigned>(document["threads"].integer(1, kMostThreads));
+  const auto stated_threads = static_cast<unsigned>(document["threads"].integer(1, kMostThreads));
+  const unsigned threads = overrides.threads.value_or(stated_threads);
+  experiment.runs = overrides.runs.value_or(experiment.runs);
+  experiment.seed = overrides.seed.value_or(experiment.seed);
+  experiment.time_limit_s = overrides.time_limit_s.value_or(experiment.time_limit_s);
   for (const YamlValue& item : document["scenes"].items()) {
     experiment.scenes.push_back(sceneFor(item));
     if (std::count(experiment.scenes.begin(), experiment.scenes.end(), experiment.scenes.back()) > 1)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,15 @@ struct Experiment {
   std::vector<Contender> contenders;
 };
 
+/// What a command says in place of an experiment's file.
+struct ExperimentOverrides {
+  std::optional<int> runs;
+  std::optional<std::uint64_t> seed;
+  std::optional<unsigned> threads;  ///< of planners that do not state their own
+  std::optional<double> time_limit_s;
+};
+
 /// @throws InputError naming file, key and value
-Experiment loadExperiment(const std::string& file);
+Experiment loadExperiment(const std::string& file, const ExperimentOverrides& overrides = {});
 
 }  // namespace b4p

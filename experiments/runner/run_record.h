@@ -14,6 +14,7 @@ struct RunRecord {
   int run = 0;        ///< counted from 1
   PlanResult result;  ///< verified where solved
   bool crashed = false;
+  std::string crash;  ///< why
 
   bool verified() const { return result.solved && result.verification.passed; }
 };

@@ -58,7 +58,7 @@ OmplBenchmark::RunProperties ownColumns(const Query& query, const PlanResult& re
   columns["grasp id INTEGER"] = std::to_string(result.grasp_id);
   for (const char* name : {"repairs tried INTEGER", "repairs succeeded INTEGER"})
     columns[name] = property(*query.planner(), name);
-  columns["validity checks INTEGER"] = std::to_string(query.stateChecks());
+  columns["validity checks INTEGER"] = std::to_string(query.configurationsChecked());
   columns["edge checks INTEGER"] = std::to_string(query.edgeChecks());
   columns["verified BOOLEAN"] = verified ? "1" : "0";
   columns["seed INTEGER"] = std::to_string(result.seed);
@@ -68,9 +68,32 @@ OmplBenchmark::RunProperties ownColumns(const Query& query, const PlanResult& re
   return columns;
 }
 
+/// Files of that kind in a folder; none where there is no such folder.
+std::vector<fs::path> filesIn(const fs::path& folder, const std::string& extension) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.is_regular_file() && entry.path().extension() == extension) files.push_back(entry.path());
+  return files;
+}
+
+void clearFolder(const std::string& folder, bool overwrite) {
+  std::vector<fs::path> earlier = filesIn(folder, ".log");
+  for (const fs::path& file : filesIn(fs::path(folder) / kResultsFolder, ".json")) earlier.push_back(file);
+  if (!earlier.empty() && !overwrite)
+    throw InputError(folder, "",
+                     "holds logs or results of an earlier experiment (" + earlier.front().string() +
+                         "); take another folder or --overwrite");
+  for (const fs::path& file : earlier) {
+    std::error_code error;
+    if (!fs::remove(file, error)) throw InputError(file.string(), "", "cannot be removed");
+  }
+}
+
 }  // namespace
 
-BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalogue, const std::string& folder)
+BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalogue, const std::string& folder,
+                                 bool overwrite)
     : experiment_(std::move(experiment)), catalogue_(std::move(catalogue)), folder_(folder) {
   for (const std::string& given : experiment_.scenes) {
     scenes_.push_back({given, loadScene(given), nullptr});
@@ -86,6 +109,7 @@ BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalog
     }
     preflight(runs.scene);
   }
+  clearFolder(folder_, overwrite);
   requireWritableFolder(folder_);
   requireWritableFolder((fs::path(folder_) / kResultsFolder).string());
 }
@@ -115,6 +139,7 @@ void BenchmarkRunner::runOne(SceneRuns& runs, const Contender& contender, int nu
   const auto recorded = benchmark(query, runs.scene.name, record.result);
   if (interrupted() && !record.result.solved) return;
   record.crashed = crashed(record.result);
+  if (record.crashed) record.crash = query.planner()->crash();
 
   if (!runs.log)
     runs.log = std::make_unique<OmplLog>(*query.problem().setup, runs.scene.name, header(),
@@ -197,6 +222,14 @@ std::string BenchmarkRunner::progress() const {
 bool BenchmarkRunner::anyFailedVerification() const {
   return std::any_of(records_.begin(), records_.end(),
                      [](const RunRecord& r) { return r.result.solved && !r.verified(); });
+}
+
+bool BenchmarkRunner::anyCrashed() const {
+  return std::any_of(records_.begin(), records_.end(), [](const RunRecord& r) { return r.crashed; });
+}
+
+bool BenchmarkRunner::anySolved() const {
+  return std::any_of(records_.begin(), records_.end(), [](const RunRecord& r) { return r.result.solved; });
 }
 
 std::string BenchmarkRunner::report() const { return summaryTables(experiment_, records_); }

@@ -23,8 +23,11 @@ namespace b4p {
 class BenchmarkRunner {
  public:
   /// Finds out everything that may be wrong with the input before any planning.
+  /// @param overwrite  whether logs and result files that the folder holds already (*.log, results/*.json)
+  ///   are removed; else they are refused, since they would mix with the new ones
   /// @throws InputError
-  BenchmarkRunner(Experiment experiment, PlannerCatalogue catalogue, const std::string& folder);
+  BenchmarkRunner(Experiment experiment, PlannerCatalogue catalogue, const std::string& folder,
+                  bool overwrite = false);
 
   /// All runs, or those up to an interrupt (see interrupt.h); the run under way is then dropped.
   void run();
@@ -35,6 +38,8 @@ class BenchmarkRunner {
   const std::vector<RunRecord>& records() const { return records_; }
   std::size_t plannedRuns() const;
   bool anyFailedVerification() const;
+  bool anyCrashed() const;
+  bool anySolved() const;
 
   /// The tables of summary.md.
   std::string report() const;

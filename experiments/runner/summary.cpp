@@ -29,6 +29,11 @@ std::string seconds(double value, double limit_s) {
   return text.str();
 }
 
+std::string oneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 std::string row(const Contender& contender, const std::vector<const RunRecord*>& runs, double limit_s) {
   std::vector<double> times;
   int solved = 0, verified = 0, crashed = 0;
@@ -71,6 +76,10 @@ std::string summaryTables(const Experiment& experiment, const std::vector<RunRec
       text << row(contender, runs, experiment.time_limit_s);
     }
     text << "\n";
+    for (const RunRecord& record : records)
+      if (record.scene == scene && record.crashed)
+        text << "Run " << record.run << " of " << record.label << " crashed: " << oneLine(record.crash)
+             << "\n\n";
   }
   return text.str();
 }

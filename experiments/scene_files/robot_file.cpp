@@ -41,7 +41,7 @@ RobotFile loadRobotFile(const std::string& name_or_path) {
   gripper.allowKeys({"finger_joints", "finger_links", "max_opening_m"});
   description.finger_joints = readNames(gripper["finger_joints"]);
   description.finger_links = readNames(gripper["finger_links"]);
-  description.max_opening_m = gripper["max_opening_m"].number(0.0);
+  description.max_opening_m = gripper["max_opening_m"].number(0.0, kFarthest_m);
   if (const auto pairs = document.find("skip_self_collision"))
     description.skip_self_collision = readPairs(*pairs);
   return robot;

@@ -12,6 +12,8 @@ namespace b4p {
 namespace {
 
 constexpr int kSceneSchema = 1;
+constexpr double kFinestStep_m = 1e-5, kCoarsestStep_m = 0.5;
+constexpr double kFullTurn_rad = 2.0 * 3.14159265358979323846 + 1e-6;  ///< with room for rounded figures
 constexpr const char* kSceneFolder = "experiments/scenes";
 
 RobotFile readRobot(const YamlValue& name, const std::string& scene_file) {
@@ -51,9 +53,9 @@ GraspSource readBoxGrasps(const YamlValue& box, double max_opening_m) {
   box.allowKeys({"size_m", "finger_depth_m", "pad_clearance_m"});
   GraspSource source;
   source.family = GraspFamily::kBox;
-  source.box_size_m = box["size_m"].positiveVector3();
-  source.finger_depth_m = box["finger_depth_m"].positive();
-  source.pad_clearance_m = box["pad_clearance_m"].number(0.0);
+  source.box_size_m = box["size_m"].positiveVector3(kFarthest_m);
+  source.finger_depth_m = box["finger_depth_m"].positive(kFarthest_m);
+  source.pad_clearance_m = box["pad_clearance_m"].number(0.0, kFarthest_m);
   const double needed_m = source.box_size_m.minCoeff() + 2.0 * source.pad_clearance_m;
   if (needed_m > max_opening_m)
     box["size_m"].failWithValue("has no pair of faces that fits the gripper's opening of " +
@@ -67,7 +69,7 @@ GraspSource readPolygonGrasps(const YamlValue& edges) {
   source.family = GraspFamily::kPolygonEdges;
   source.box_size_m.setZero();
   source.polygon_m = readPolygon(edges["polygon_m"]);
-  source.pad_clearance_m = edges["clearance_m"].number(0.0);
+  source.pad_clearance_m = edges["clearance_m"].number(0.0, kFarthest_m);
   return source;
 }
 
@@ -84,13 +86,14 @@ PlacementSource readPlacement(const YamlValue& placement) {
   PlacementSource source;
   const YamlValue region = placement["region"];
   region.allowKeys({"min_m", "max_m"});
-  source.min_m = region["min_m"].vector3();
-  source.max_m = region["max_m"].vector3();
+  source.min_m = region["min_m"].vector3(kFarthest_m);
+  source.max_m = region["max_m"].vector3(kFarthest_m);
   if ((source.max_m - source.min_m).minCoeff() < 0.0) region["max_m"].failWithValue("is less than min_m");
   if (const auto upright = placement.find("upright")) source.upright = upright->boolean();
   if (const auto yaw = placement.find("yaw_rad")) {
     const auto window = yaw->numbers(2);
     if (window[1] < window[0]) yaw->failWithValue("ends before it begins");
+    if (window[1] - window[0] > kFullTurn_rad) yaw->failWithValue("is wider than a full turn");
     source.yaw_min_rad = window[0];
     source.yaw_max_rad = window[1];
   }
@@ -108,9 +111,9 @@ SceneNumbers readNumbers(const YamlValue& numbers) {
 }
 
 void readSettings(const YamlValue& document, Scene& scene) {
-  scene.edge_step_m = document["edge_step_m"].positive();
+  scene.edge_step_m = document["edge_step_m"].number(kFinestStep_m, kCoarsestStep_m);
   const YamlValue clearance = document["contact_clearance_m"];
-  scene.contact_clearance_m = clearance.number(0.0);
+  scene.contact_clearance_m = clearance.number(0.0, kFarthest_m);
   if (scene.contact_clearance_m < scene.edge_step_m / 2.0)
     clearance.failWithValue("is less than half of edge_step_m, so the object would touch its support");
   scene.budget_s = document["budget_s"].positive();

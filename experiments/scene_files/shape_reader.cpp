@@ -47,22 +47,22 @@ bool isConvex(const std::vector<Eigen::Vector2d>& polygon) {
 
 Shape readBox(const YamlValue& value) {
   value.allowKeys({"size_m"});
-  return Box{value["size_m"].positiveVector3()};
+  return Box{value["size_m"].positiveVector3(kFarthest_m)};
 }
 
 Shape readSphere(const YamlValue& value) {
   value.allowKeys({"radius_m"});
-  return Sphere{value["radius_m"].positive()};
+  return Sphere{value["radius_m"].positive(kFarthest_m)};
 }
 
 Shape readCylinder(const YamlValue& value) {
   value.allowKeys({"radius_m", "length_m"});
-  return Cylinder{value["radius_m"].positive(), value["length_m"].positive()};
+  return Cylinder{value["radius_m"].positive(kFarthest_m), value["length_m"].positive(kFarthest_m)};
 }
 
 Shape readCapsule(const YamlValue& value) {
   value.allowKeys({"radius_m", "length_m"});
-  return Capsule{value["radius_m"].positive(), value["length_m"].number(0.0)};
+  return Capsule{value["radius_m"].positive(kFarthest_m), value["length_m"].number(0.0, kFarthest_m)};
 }
 
 Shape readPrism(const YamlValue& value) {
@@ -70,7 +70,7 @@ Shape readPrism(const YamlValue& value) {
   const YamlValue outline = value["polygon_m"];
   const auto polygon = readPolygon(outline);
   if (!isConvex(polygon)) outline.fail("is not convex; cut it into convex pieces");
-  const double half_height = value["height_m"].positive() / 2.0;
+  const double half_height = value["height_m"].positive(kFarthest_m) / 2.0;
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector2d& p : polygon)
     for (const double z : {-half_height, half_height}) points.emplace_back(p.x(), p.y(), z);
@@ -113,7 +113,7 @@ std::vector<Eigen::Vector2d> readPolygon(const YamlValue& value) {
   constexpr std::size_t kFewestCorners = 3;
   std::vector<Eigen::Vector2d> polygon;
   for (const YamlValue& corner : value.items()) {
-    const auto xy = corner.numbers(2);
+    const auto xy = corner.numbers(2, kFarthest_m);
     polygon.emplace_back(xy[0], xy[1]);
   }
   if (polygon.size() < kFewestCorners) value.fail("has fewer than 3 corners");

@@ -155,33 +155,34 @@ double YamlValue::number(double low, double high) const {
   if (!YAML::convert<double>::decode(node_, value)) failWithValue("is not a number");
   if (!std::isfinite(value)) failWithValue("is not finite");
   if (value < low || value > high) {
+    if (low == std::numeric_limits<double>::lowest()) failWithValue("is greater than " + format(high));
     if (high == std::numeric_limits<double>::max()) failWithValue("is less than " + format(low));
     failWithValue("is not between " + format(low) + " and " + format(high));
   }
   return value;
 }
 
-double YamlValue::positive() const {
-  const double value = number();
+double YamlValue::positive(double high) const {
+  const double value = number(std::numeric_limits<double>::lowest(), high);
   if (value <= 0.0) failWithValue("is not greater than 0");
   return value;
 }
 
-std::vector<double> YamlValue::numbers(std::size_t count) const {
+std::vector<double> YamlValue::numbers(std::size_t count, double largest) const {
   const auto values = items();
   if (values.size() != count) failWithValue("does not have " + std::to_string(count) + " numbers");
   std::vector<double> result;
-  for (const YamlValue& value : values) result.push_back(value.number());
+  for (const YamlValue& value : values) result.push_back(value.number(-largest, largest));
   return result;
 }
 
-Eigen::Vector3d YamlValue::vector3() const {
-  const auto values = numbers(3);
+Eigen::Vector3d YamlValue::vector3(double largest) const {
+  const auto values = numbers(3, largest);
   return {values[0], values[1], values[2]};
 }
 
-Eigen::Vector3d YamlValue::positiveVector3() const {
-  const Eigen::Vector3d value = vector3();
+Eigen::Vector3d YamlValue::positiveVector3(double largest) const {
+  const Eigen::Vector3d value = vector3(largest);
   if (value.minCoeff() <= 0.0) failWithValue("has a number that is not greater than 0");
   return value;
 }
@@ -195,7 +196,7 @@ void YamlValue::requireSchema(int version) const {
 
 Eigen::Isometry3d poseFrom(const YamlValue& mapping) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  if (const auto position = mapping.find("position_m")) X.translation() = position->vector3();
+  if (const auto position = mapping.find("position_m")) X.translation() = position->vector3(kFarthest_m);
   const auto rpy = mapping.find("rpy_rad");
   const auto quaternion = mapping.find("quaternion_wxyz");
   if (rpy && quaternion) mapping.fail("has both rpy_rad and quaternion_wxyz");

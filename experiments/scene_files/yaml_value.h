@@ -12,6 +12,9 @@
 
 namespace b4p {
 
+/// Farthest coordinate and largest size (m) that files may state.
+constexpr double kFarthest_m = 1000.0;
+
 /// A value in a YAML file, read strictly. Every function throws InputError naming the file, the path of the
 /// key with its line, and the value found.
 class YamlValue {
@@ -35,10 +38,11 @@ class YamlValue {
   int integer(int low, int high) const;
   double number(double low = std::numeric_limits<double>::lowest(),
                 double high = std::numeric_limits<double>::max()) const;  ///< finite and in [low, high]
-  double positive() const;
-  std::vector<double> numbers(std::size_t count) const;
-  Eigen::Vector3d vector3() const;
-  Eigen::Vector3d positiveVector3() const;
+  double positive(double high = std::numeric_limits<double>::max()) const;
+  /// Each finite and at most `largest` away from 0.
+  std::vector<double> numbers(std::size_t count, double largest = std::numeric_limits<double>::max()) const;
+  Eigen::Vector3d vector3(double largest = std::numeric_limits<double>::max()) const;
+  Eigen::Vector3d positiveVector3(double largest = std::numeric_limits<double>::max()) const;
 
   /// Requires `key` to be `version`.
   void requireSchema(int version) const;

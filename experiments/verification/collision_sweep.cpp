@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "experiments/verification/separation.h"
@@ -108,8 +109,16 @@ void CollisionSweep::addPairs(const Scene& scene) {
       if (!mayTouch(bodies_[a], bodies_[b])) pairs_.push_back({a, b, 0.0, 0.0, Eigen::Vector3d::UnitX()});
 }
 
-/// Bounds all motions over an edge that changes the joints by `change`. Returns the number of steps.
-double CollisionSweep::prepareEdge(const Eigen::VectorXd& change) {
+double CollisionSweep::steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) const {
+  const Eigen::VectorXd amount = (q2 - q1).cwiseAbs();
+  if (!amount.allFinite()) return std::numeric_limits<double>::infinity();
+  double farthest_m = 0.0;
+  for (const Body& body : bodies_) farthest_m = std::max(farthest_m, body.motion_per_unit.dot(amount));
+  return farthest_m > 0.0 ? std::max(1.0, std::ceil(farthest_m / step_m_)) : 1.0;
+}
+
+/// Bounds all motions over an edge that changes the joints by `change`.
+void CollisionSweep::prepareEdge(const Eigen::VectorXd& change) {
   const Eigen::VectorXd amount = change.cwiseAbs();
   for (Pair& pair : pairs_) {
     const Eigen::VectorXd& a = bodies_[pair.a].motion_per_unit;
@@ -120,9 +129,6 @@ double CollisionSweep::prepareEdge(const Eigen::VectorXd& change) {
     for (Eigen::Index j = 0; j < amount.size(); ++j)
       if (a[j] == 0.0 || b[j] == 0.0) pair.motion_m += amount[j] * (a[j] + b[j]);
   }
-  double farthest_m = 0.0;
-  for (const Body& body : bodies_) farthest_m = std::max(farthest_m, body.motion_per_unit.dot(amount));
-  return std::max(1.0, std::ceil(farthest_m / step_m_));
 }
 
 void CollisionSweep::moveTo(const Eigen::VectorXd& q) {
@@ -155,7 +161,9 @@ bool CollisionSweep::measure(Pair& pair, double sample, double count) {
 }
 
 std::optional<Contact> CollisionSweep::firstContact(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) {
-  const double count = prepareEdge(q2 - q1);
+  const double count = steps(q1, q2);
+  if (!(count <= kMostSteps)) throw std::length_error("an edge has more steps than can be swept");
+  prepareEdge(q2 - q1);
   samples_ += static_cast<long>(count) + (samples_ == 0 ? 1 : 0);  // edges share their way-points
   for (double sample = 0.0; sample <= count;) {
     const double fraction = sample / count;

@@ -33,7 +33,13 @@ class CollisionSweep {
   /// @throws InputError for names of links that the robot does not have.
   CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m);
 
+  /// Steps that the edge from q1 to q2 is divided into, at least 1. Beyond kMostSteps (infinite where the
+  /// step is next to nothing) the edge cannot be swept.
+  double steps(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) const;
+  static constexpr double kMostSteps = 1e7;
+
   /// The first contact on the straight edge from q1 to q2, both included.
+  /// @throws std::length_error when it has more than kMostSteps
   std::optional<Contact> firstContact(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2);
 
   long samples() const { return samples_; }  ///< configurations covered so far
@@ -62,7 +68,7 @@ class CollisionSweep {
   void addBodies(const Scene& scene, const Grasp& grasp);
   void addPairs(const Scene& scene);
   void addBody(std::string name, int link, bool held, const PlacedBody& placed);
-  double prepareEdge(const Eigen::VectorXd& change);
+  void prepareEdge(const Eigen::VectorXd& change);
   void moveTo(const Eigen::VectorXd& q);
   bool measure(Pair& pair, double sample, double count);
 

@@ -17,9 +17,8 @@ using Eigen::Vector3d;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kPositionTolerance_m = 1e-3;
 constexpr double kAngleTolerance_rad = 0.2 * kPi / 180.0;
-constexpr double kLimitTolerance = 1e-9;              // rad or m
-constexpr double kGraspTolerance = 1e-6;              // m, and entries of rotation matrices
-const char* const kExactSolution = "Exact solution";  // OMPL's name
+constexpr double kLimitTolerance = 1e-9;  // rad or m
+constexpr double kGraspTolerance = 1e-6;  // m, and entries of rotation matrices
 
 double degrees(double angle_rad) { return angle_rad * 180.0 / kPi; }
 
@@ -196,6 +195,8 @@ std::string endsProblem(const Scene& scene, const PlanResult& result, const Isom
     return first + "the object is " + off + " away from where it is picked up";
   if (const std::string problem = placementProblem(scene, X_WO_last); !problem.empty())
     return last + "the object " + problem;
+  if (!isPose(result.X_WO_pick)) return "X_WO_pick: is not a pose";
+  if (!isPose(result.X_WO_place)) return "X_WO_place: is not a pose";
   if (const std::string off = poseDifference(X_WO_first, result.X_WO_pick); !off.empty())
     return "X_WO_pick: is " + off + " away from the path's first object pose";
   if (const std::string off = poseDifference(X_WO_last, result.X_WO_place); !off.empty())

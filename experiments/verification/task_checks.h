@@ -11,6 +11,8 @@
 
 namespace b4p::verification {
 
+inline constexpr const char* kExactSolution = "Exact solution";  ///< OMPL's name
+
 // Each function answers with the first thing found wrong, one line naming way-point and value, or with an
 // empty string. Way-points count from 0.
 

@@ -37,12 +37,23 @@ std::string taskProblem(const Scene& scene, const PlanResult& result, const Kine
                                    objectPose(robot, result.grasp, result.path.back()));
 }
 
+/// An edge that needs too many samples: no answer in reasonable time.
+std::string effortProblem(std::size_t edge, double steps, double step_m) {
+  if (steps <= CollisionSweep::kMostSteps) return "";
+  return "edge " + std::to_string(edge) + ": " + verification::text(steps) + " steps of " +
+         verification::text(step_m) + " m are more than the " +
+         verification::text(CollisionSweep::kMostSteps) + " that are checked";
+}
+
 /// The first collision. A path of one way-point is an edge from it to itself.
-std::string motionProblem(const PlanResult& result, CollisionSweep& sweep) {
+std::string motionProblem(const PlanResult& result, double step_m, CollisionSweep& sweep) {
   const std::size_t last = result.path.size() - 1;
   for (std::size_t i = 0; i < std::max<std::size_t>(last, 1); ++i) {
     const std::size_t next = std::min(i + 1, last);
-    const auto contact = sweep.firstContact(configuration(result.path[i]), configuration(result.path[next]));
+    const Eigen::VectorXd q1 = configuration(result.path[i]), q2 = configuration(result.path[next]);
+    if (const std::string problem = effortProblem(i, sweep.steps(q1, q2), step_m); !problem.empty())
+      return problem;
+    const auto contact = sweep.firstContact(q1, q2);
     if (!contact) continue;
     const std::string bodies = contact->first + " touches " + contact->second;
     if (contact->fraction == 0.0) return "way-point " + std::to_string(i) + ": " + bodies;
@@ -65,7 +76,7 @@ Verification verify(const Scene& scene, const PlanResult& result) {
   outcome.failure = taskProblem(scene, result, robot);
   if (!outcome.failure.empty()) return outcome;
   CollisionSweep sweep(scene, robot, result.grasp, outcome.step_m);
-  outcome.failure = motionProblem(result, sweep);
+  outcome.failure = motionProblem(result, outcome.step_m, sweep);
   outcome.configurations = sweep.samples();
   outcome.passed = outcome.failure.empty();
   if (outcome.passed) outcome.clearance_m = sweep.clearance_m();

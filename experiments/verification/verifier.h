@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "experiments/result.h"
 #include "experiments/scene.h"
 
@@ -27,5 +29,13 @@ namespace b4p {
 /// Thread-safe. The outcome depends on the arguments alone.
 /// @throws InputError when the scene's URDF cannot be read or lacks what the robot file names.
 Verification verify(const Scene& scene, const PlanResult& result);
+
+/// The first contradiction in what a result file says of itself, one line naming the element and its value,
+/// or an empty string. Needs no scene, and complements verify(), which does not look at these:
+/// - solved, the status "Exact solution" and a path go together: all three, or none;
+/// - there was a thread and time to plan, the planning time is not negative, and where it ended with a path
+///   it kept to the limit (within 1 s, since a busy machine ends late);
+/// - a path has passed the verification stored with it, without a failure, and nothing else has.
+std::string inconsistency(const PlanResult& result);
 
 }  // namespace b4p

@@ -57,6 +57,22 @@ TEST(BadInput, ClearanceThatLetsTheObjectTouch) {
   expectSceneRefused({{"contact_clearance_m: 0.01", "contact_clearance_m: 0.009"}}, "easy.yaml",
                      "contact_clearance_m");
 }
+TEST(BadInput, ClearanceThatTheStartPoseDoesNotHave) {
+  expectSceneRefused({{"contact_clearance_m: 0.01", "contact_clearance_m: 0.6"}}, "easy.yaml",
+                     "contact_clearance_m");
+}
+TEST(BadInput, AbsurdSizes) {
+  expectSceneRefused({{"edge_step_m: 0.02", "edge_step_m: 1e-300"}}, "easy.yaml", "edge_step_m");
+  expectSceneRefused({{"edge_step_m: 0.02", "edge_step_m: 0.51"}}, "easy.yaml", "edge_step_m");
+  expectSceneRefused({{"position_m: [1.0, -0.6, 0]", "position_m: [1e9, -0.6, 0]"}}, "easy.yaml",
+                     "position_m");
+  expectSceneRefused({{"size_m: [0.1, 1.2, 0.1]", "size_m: [0.1, 1200, 0.1]"}}, "easy.yaml", "size_m");
+  expectSceneRefused({{"box: {size_m: [0.1, 1.2, 0.1]}", "sphere: {radius_m: 1e4}"}}, "easy.yaml",
+                     "radius_m");
+  expectSceneRefused({{"max_m: [1.8, 0.3, 0]}", "max_m: [-1e5, 0.3, 0]}"}}, "easy.yaml", "max_m");
+  expectSceneRefused({{"max_m: [1.8, 0.3, 0]}", "max_m: [1.8, 0.3, 0]}\n  yaw_rad: [-4, 4]"}}, "easy.yaml",
+                     "yaw_rad");
+}
 TEST(BadInput, UnknownRobot) {
   expectSceneRefused({{"robot: planar.yaml", "robot: r2d2"}}, "easy.yaml", "r2d2");
 }
@@ -119,6 +135,10 @@ TEST(BadInput, OptionsOutOfRange) {
                                                         {"--time-limit-s nan", "time-limit-s"},
                                                         {"--time-limit-s inf", "time-limit-s"},
                                                         {"--seed -1", "seed"},
+                                                        {"--seed 99999999999999999999999", "seed"},
+                                                        {"--seed 1x", "seed"},
+                                                        {"--seed 1.5", "seed"},
+                                                        {"--planner b4p-paper --param paper=0", "paper"},
                                                         {"--planner teleport", "teleport"},
                                                         {"--param slices=3", "slices"},
                                                         {"--param slice=0", "slice"},
@@ -186,6 +206,17 @@ TEST_F(BadExperiment, NamesTheKey) {
   expectRefusedWith({{"label: first", "label: has-dash"}}, "has-dash");
   expectRefusedWith({{"[easy.yaml]", "[gone.yaml]"}}, "gone.yaml");
   expectRefusedWith({{"[easy.yaml]", "[]"}}, "scenes");
+}
+
+TEST_F(BadExperiment, NamesTheOption) {
+  const std::string file = copy_.folder() / "e.yaml";
+  writeText(file,
+            "schema: 1\nname: quick\nruns: 2\ntime_limit_s: 5\nthreads: 1\nseed: 1\nscenes: [easy.yaml]\n"
+            "planners:\n  - {label: first, planner: b4p}\n");
+  for (const char* option : {"--runs 0", "--seed 1e3", "--threads 65", "--time-limit-s -1"})
+    expectRefused("bench " + file + " --out " + out() + " " + option,
+                  std::string(option).substr(0, std::string(option).find(' ')));
+  EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
 TEST_F(BadExperiment, FolderThatCannotBeMade) {

@@ -10,6 +10,7 @@
 
 #include "experiments/fixtures.h"
 #include "experiments/runner/runner.h"
+#include "robots/input_error.h"
 
 namespace b4p::test {
 namespace {
@@ -101,9 +102,23 @@ TEST_F(Benchmarks, RecordACrashAsARun) {
   ASSERT_EQ(runner.records().size(), 4u);
   EXPECT_TRUE(runner.records()[0].crashed);
   EXPECT_EQ(runner.records()[0].result.status, "Crash");
+  EXPECT_EQ(runner.records()[0].crash, "boom");
+  EXPECT_TRUE(runner.anyCrashed());
+  EXPECT_THAT(readFile(out_ / "summary.md"), HasSubstr("Run 1 of c0 crashed: boom"));
   EXPECT_TRUE(runner.records()[1].verified());
   EXPECT_THAT(readFile(out_ / "easy.log"), HasSubstr("\nc0\n"));
   EXPECT_FALSE(std::filesystem::exists(out_ / "results/easy-c0-1.json"));
+}
+
+TEST_F(Benchmarks, DoNotMixWithEarlierOnes) {
+  BenchmarkRunner(experiment(2, {"b4p"}), catalogue(), out_.path()).run();
+  writeText(out_ / "notes.txt", "");
+  writeText(out_ / "results/notes.txt", "");
+  EXPECT_THROW(BenchmarkRunner(experiment(1, {"b4p"}), catalogue(), out_.path()), InputError);
+  EXPECT_TRUE(std::filesystem::exists(out_ / "results/easy-c0-2.json"));
+  BenchmarkRunner(experiment(1, {"b4p"}), catalogue(), out_.path(), true).run();
+  EXPECT_EQ(out_.files(), (std::vector<std::string>{"easy.log", "notes.txt", "results/easy-c0-1.json",
+                                                    "results/notes.txt", "summary.md"}));
 }
 
 TEST_F(Benchmarks, CountFailuresAsLongerThanTheLimit) {

@@ -106,6 +106,78 @@ TEST(Command, TamperedResultEndsWithThree) {
   EXPECT_THAT(run.out, HasSubstr("FAILED"));
 }
 
+TEST(Command, VerifyLooksAtEveryFile) {
+  const SceneCopy copy;
+  const std::string good = copy.folder() / "good.json", bad = copy.folder() / "bad.json";
+  ASSERT_EQ(runB4p("plan " + copy.scene() + " --out " + good).exit_code, 0);
+  PlanResult result = readResult(good);
+  result.path.insert(result.path.begin() + 1, {1.0, -0.5, 0.0});
+  writeResult(bad, result);
+  const CommandRun unreadable = runB4p("verify /nowhere/r.json " + good);
+  EXPECT_EQ(unreadable.exit_code, 2);
+  EXPECT_EQ(unreadable.errorLines(), 1);
+  EXPECT_THAT(unreadable.out, HasSubstr("good.json: passed"));
+  EXPECT_EQ(runB4p("verify /nowhere/r.json " + bad + " " + good).exit_code, 3);
+}
+
+TEST(Command, VerifyRefusesAFileThatContradictsItself) {
+  const SceneCopy copy;
+  const std::string file = copy.folder() / "r.json";
+  ASSERT_EQ(runB4p("plan " + copy.scene() + " --out " + file).exit_code, 0);
+  PlanResult result = readResult(file);
+  result.status = "Timeout";
+  writeResult(file, result);
+  const CommandRun run = runB4p("verify " + file);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.out, HasSubstr("FAILED"));
+}
+
+/// Changes that make edges too long to be checked, so that the checker throws while planning.
+const std::vector<SceneCopy::Change> kEndlessRails{
+    {"lower=\"-1.0\" upper=\"3.0\"", "lower=\"-1e6\" upper=\"1e6\""}};
+
+std::string quickExperiment(const TemporaryFolder& folder) {
+  const std::string file = folder / "quick.yaml";
+  writeText(file,
+            "schema: 1\nname: quick\nruns: 7\ntime_limit_s: 5\nthreads: 1\nseed: 1\nscenes: [easy.yaml]\n"
+            "planners:\n  - {label: first, planner: b4p}\n");
+  return file;
+}
+
+TEST(Command, CrashEndsWithFourAndItsReason) {
+  const SceneCopy copy(kEndlessRails, "planar.urdf");
+  writeText(copy.scene(), replaced(readFile(copy.scene()), "edge_step_m: 0.02", "edge_step_m: 1e-5"));
+  const CommandRun plan = runB4p("plan " + copy.scene() + " --out " + copy.folder() / "r.json");
+  EXPECT_EQ(plan.exit_code, 4);
+  EXPECT_THAT(plan.err, HasSubstr("too many samples"));
+  const CommandRun bench =
+      runB4p("bench " + quickExperiment(copy.folder()) + " --runs 1 --out " + copy.folder() / "out");
+  EXPECT_EQ(bench.exit_code, 4) << bench.err;
+  // OMPL's benchmark asks the checker for statistics before it plans, so the exception may come there
+  // already.
+  EXPECT_THAT(bench.out + bench.err, HasSubstr("too many samples"));
+}
+
+TEST(Command, BenchOptionsReplaceWhatTheFileSays) {
+  const SceneCopy copy;
+  const std::string out = copy.folder() / "out";
+  const CommandRun run = runB4p("bench " + quickExperiment(copy.folder()) +
+                                " --runs 1 --seed 9 --threads 2 --time-limit-s 4 --out " + out);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::string summary = readFile(out + "/summary.md");
+  for (const char* part : {"1 of 1 planned runs", "time limit per run: 4 s", "\nseed: 9\n", "threads 2"})
+    EXPECT_THAT(summary, HasSubstr(part));
+}
+
+TEST(Command, BenchWithoutAnySolutionEndsWithOne) {
+  const std::vector<SceneCopy::Change> closed{{"size_m: [0.1, 1.2, 0.1]", "size_m: [0.1, 9.0, 0.1]"}};
+  const SceneCopy copy(closed);
+  EXPECT_EQ(runB4p("bench " + quickExperiment(copy.folder()) + " --runs 1 --time-limit-s 0.2 --out " +
+                   copy.folder() / "out")
+                .exit_code,
+            1);
+}
+
 /// An experiment with one run that ends at once and one that would take for ever.
 std::string slowExperiment(const TemporaryFolder& folder) {
   const std::string file = folder / "slow.yaml";

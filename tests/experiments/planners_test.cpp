@@ -35,10 +35,9 @@ class Planners : public ::testing::Test {
 };
 
 TEST_F(Planners, TakeParametersAndThreads) {
-  const auto planner = make("b4p", {{"slice", "7"}, {"range", "0.25"}, {"paper", "true"}}, 3);
+  const auto planner = make("b4p", {{"slice", "7"}, {"range", "0.25"}}, 3);
   EXPECT_EQ(value(planner, "slice"), "7");
   EXPECT_EQ(value(planner, "range"), "0.25");
-  EXPECT_EQ(value(planner, "paper"), "1");
   EXPECT_EQ(value(planner, "threads"), "3");
 }
 
@@ -47,12 +46,19 @@ TEST_F(Planners, PaperModeIsAPlannerOfItsOwn) {
   EXPECT_EQ(value(make("b4p-paper", {}), "paper"), "1");
 }
 
+TEST_F(Planners, EveryParameterOfB4PHasAMeaning) {
+  const auto planner = make("b4p", {});
+  for (const auto& entry : planner->params().getParams())
+    EXPECT_NE(parameterMeaning(entry.first), "") << entry.first;
+}
+
 TEST_F(Planners, RefuseWhatTheyDoNotTake) {
   EXPECT_THROW(make("b5p", {}), InputError);
   EXPECT_THROW(make("b4p", {{"no_such", "1"}}), InputError);
   for (const char* bad : {"0", "-1", "1.5", "many", "3 ", "", "1e99", "nan"})
     EXPECT_THROW(make("b4p", {{"slice", bad}}), InputError) << bad;
-  EXPECT_THROW(make("b4p", {{"paper", "2"}}), InputError);
+  for (const char* name : {"b4p", "b4p-paper"})
+    for (const char* own : {"paper", "threads"}) EXPECT_THROW(make(name, {{own, "1"}}), InputError) << own;
   EXPECT_THROW(make("b4p", {}, 0), InputError);
   EXPECT_THROW(make("rrtconnect", {}, 2), InputError);
   EXPECT_NO_THROW(make("rrtconnect", {{"range", "0.1234567"}}));

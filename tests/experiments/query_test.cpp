@@ -36,6 +36,14 @@ TEST(Query, StockRrtConnectSolvesAnEasySceneFromAllPicks) {
   EXPECT_GT(query.edgeChecks(), 0u);
 }
 
+TEST(Query, CountsTheConfigurationsAlongMotions) {
+  const SceneCopy copy;
+  Query query(loadScene(copy.scene()), copy.scene(), PlannerCatalogue::standard(), settings("b4p"), "test");
+  query.solve();
+  EXPECT_GT(query.edgeChecks(), 0u);
+  EXPECT_GE(query.configurationsChecked(), query.edgeChecks());
+}
+
 TEST(Query, StockRrtConnectKeepsItsTimeLimitAmongManyGrasps) {
   const Scene scene = loadScene("grocery");
   Query query(scene, "grocery", PlannerCatalogue::standard(), settings("rrtconnect", 1.0), "test");

@@ -85,6 +85,17 @@ TEST_F(CollisionSweepTest, SamplesLieNoFartherApartThanTheStep) {
   EXPECT_GE(sweep.samples(), 2001);
 }
 
+TEST_F(CollisionSweepTest, EdgesOfTooManyStepsAreNotSwept) {
+  const Eigen::VectorXd q1 = Eigen::VectorXd::Zero(5);
+  Eigen::VectorXd q2 = q1;
+  q2[3] = std::numeric_limits<double>::max();
+  CollisionSweep sweep(scene_, robot_, test::gantryResult().grasp, kStep_m);
+  EXPECT_GT(sweep.steps(q1, q2), CollisionSweep::kMostSteps);
+  EXPECT_GT(sweep.steps(-q2, q2), CollisionSweep::kMostSteps) << "a change that overflows";
+  EXPECT_THROW(sweep.firstContact(q1, q2), std::length_error);
+  EXPECT_EQ(sweep.samples(), 0);
+}
+
 TEST_F(CollisionSweepTest, SeesAPlateOfOneStepAcrossTheWay) {
   Eigen::VectorXd q1 = Eigen::VectorXd::Zero(5), q2 = q1;
   q1[2] = q2[2] = 1.5;

@@ -222,17 +222,5 @@ TEST_F(ResultTest, AFailedWriteLeavesNothingBehind) {
   fs::remove_all(folder);
 }
 
-TEST_F(ResultTest, AWritableDirectoryIsMadeWhereItIsMissing) {
-  const fs::path folder = test::temporaryFile("made");
-  requireWritableDirectory((folder / "deep" / "down").string());
-  EXPECT_TRUE(fs::is_directory(folder / "deep" / "down"));
-  EXPECT_TRUE(fs::is_empty(folder / "deep" / "down"));
-  requireWritableDirectory((folder / "deep" / "down").string());
-  fs::remove_all(folder);
-  EXPECT_THROW(requireWritableDirectory(file_ + "/below_a_file"), InputError);
-  EXPECT_THROW(requireWritableDirectory(file_), InputError);
-  EXPECT_THROW(requireWritableDirectory("/proc/no_such_place"), InputError);
-}
-
 }  // namespace
 }  // namespace b4p

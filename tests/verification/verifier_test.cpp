@@ -222,6 +222,16 @@ TEST_F(VerifierTest, StatedPickAndPlacePosesHaveToBeThePaths) {
   expectFails("X_WO_place: is 2 mm away from the path's last object pose");
 }
 
+TEST_F(VerifierTest, StatedPickAndPlaceHaveToBePoses) {
+  result_.X_WO_pick.linear() *= 2.0;
+  expectFails("X_WO_pick: is not a pose");
+  result_ = test::gantryResult();
+  result_.X_WO_place.linear() *= 2.0;
+  expectFails("X_WO_place: is not a pose");
+  result_.X_WO_place.linear().setConstant(std::numeric_limits<double>::quiet_NaN());
+  expectFails("X_WO_place: is not a pose");
+}
+
 TEST_F(VerifierTest, GraspMoved) {
   result_.grasp.X_OT.translation().x() += 0.005;
   expectFails("way-point 0: the object is 5 mm away from where it is picked up");
@@ -272,6 +282,15 @@ TEST_F(VerifierTest, OneWayPointIsAPathWhenPickAndPlaceCoincide) {
   expectPasses();
   scene_.obstacles.push_back(test::boxObstacle("stone", {0.01, 0.01, 0.01}, {0.5, 0.0, 0.045}));
   expectFails(HasSubstr("way-point 0: object 'can' touches obstacle 'stone'"));
+}
+
+TEST_F(VerifierTest, AnEdgeStepNextToNothingIsRefused) {
+  scene_.edge_step_m = 1e-300;
+  expectFails(AllOf(HasSubstr("edge 0: "), HasSubstr("steps of 1e-301 m are more than the 10000000")));
+  scene_.edge_step_m = std::numeric_limits<double>::denorm_min();  // a tenth of it is 0
+  expectFails(HasSubstr("edge 0: inf steps"));
+  scene_.edge_step_m = 1e-7;
+  expectFails(HasSubstr("steps of 1e-08 m are more than the 10000000"));
 }
 
 TEST_F(VerifierTest, SceneThatCannotBeUsedIsAnInputError) {
