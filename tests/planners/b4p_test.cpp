@@ -13,6 +13,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "planners/b4p/b4p_planner.h"
+#include "planners/b4p/worker.h"
 #include "planners/toy_world.h"
 
 namespace b4p::test {
@@ -127,8 +128,8 @@ struct SteppedSearch {
   explicit SteppedSearch(const DiscWorld& world, const B4PParameters& chosen = {})
       : setup(world), parameters(chosen) {
     inputs.use(setup.problem);
-    search = std::make_unique<Search>(setup.si, parameters, setup.goal.get(), setup.region.get(), inputs,
-                                      statistics);
+    search = std::make_unique<Search>(
+        SearchProblem{setup.si, setup.goal.get(), setup.region.get(), inputs, statistics}, parameters);
   }
   DiscProblem setup;
   B4PParameters parameters;
