@@ -109,10 +109,10 @@ std::string parameterMeaning(const ob::Planner& planner, const std::string& name
        "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},
       {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"},
       {"placement_attempts", "placements without a place root after which a grasp is given up (count)"},
-      {"placement_draws_per_step", "placements tried in one step (count)"},
       {"redraw", "0: a grasp without a place root is kept; 1: given up after placement_attempts"},
       {"restart_s", "time after which the trees are dropped for another grasp (s)"},
-      {"restart_iterations", "> 0: restarts after so many steps of all threads instead (iterations)"},
+      {"restart_iterations",
+       "> 0: drops all trees after so many steps of all threads (iterations); b4p: paper mode only"},
       {"growth", "each slice is so many times the one before (factor)"}};
   const auto found = meanings.find(name);
   return found == meanings.end() ? "" : found->second;

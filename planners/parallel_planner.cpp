@@ -72,40 +72,62 @@ ob::PlannerStatus ParallelPlanner::search(const ob::PlannerTerminationCondition&
     OMPL_ERROR("%s: the goal has to be a GoalSampleableRegion", getName().c_str());
     return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
   }
-  prepareSearch(goal);
-  plantStarts();
-  if (search_->region() == nullptr) {
-    if (search_->rootCount(Side::kPick) == 0) {
-      OMPL_ERROR("%s: there is no valid start state", getName().c_str());
-      return ob::PlannerStatus::INVALID_START;
+  prepareSearch(*goal);
+  for (;;) {
+    const ob::PlannerStatus planted = plantRoots(*goal, ptc);
+    if (planted != ob::PlannerStatus::UNKNOWN) return planted;
+    work(ptc);
+    if (const auto solution = search_->takeSolution()) {
+      addSolution(*solution);
+      return ob::PlannerStatus::EXACT_SOLUTION;
     }
-    if (!plantFirstGoal(*goal, ptc)) {
-      if (ptc && mayGiveMore(*goal)) return ob::PlannerStatus::TIMEOUT;
-      OMPL_ERROR("%s: there is no valid goal state", getName().c_str());
-      return ob::PlannerStatus::INVALID_GOAL;
-    }
+    if (ptc || !search_->expired()) return ob::PlannerStatus::TIMEOUT;
+    countOne(statistics_.restarts);
+    beginSearch(*goal);
+    hireWorkers();
   }
-  work(ptc);
-  const auto solution = search_->takeSolution();
-  if (!solution) return ob::PlannerStatus::TIMEOUT;
-  addSolution(*solution);
-  return ob::PlannerStatus::EXACT_SOLUTION;
 }
 
-void ParallelPlanner::prepareSearch(const ob::GoalSampleableRegion* goal) {
+void ParallelPlanner::prepareSearch(const ob::GoalSampleableRegion& goal) {
   if (!search_ || problem_ != pdef_ || goal_ != pdef_->getGoal()) {
     forget();
-    pis_.restart();
     problem_ = pdef_;
     goal_ = pdef_->getGoal();
-    const auto* place_goal = dynamic_cast<const PlaceGoal*>(goal);
-    search_ =
-        makeSearch({si_, goal, place_goal != nullptr ? &place_goal->region() : nullptr, pis_, statistics_});
+    beginSearch(goal);
   }
   for (const auto& worker : workers_) worker->rest();  // there may be fewer threads this time
-  // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads
-  // start.
+  hireWorkers();
+}
+
+void ParallelPlanner::beginSearch(const ob::GoalSampleableRegion& goal) {
+  workers_.clear();
+  search_.reset();
+  statistics_.nodes = 0;
+  pis_.restart();
+  const auto* place_goal = dynamic_cast<const PlaceGoal*>(&goal);
+  search_ =
+      makeSearch({si_, &goal, place_goal != nullptr ? &place_goal->region() : nullptr, pis_, statistics_});
+}
+
+// Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads
+// start.
+void ParallelPlanner::hireWorkers() {
   while (workers_.size() < threadCount()) workers_.push_back(search_->newWorker(ompl::RNG().getLocalSeed()));
+}
+
+// UNKNOWN: the search has what it needs to begin.
+ob::PlannerStatus ParallelPlanner::plantRoots(const ob::GoalSampleableRegion& goal,
+                                              const ob::PlannerTerminationCondition& ptc) {
+  plantStarts();
+  if (search_->region() != nullptr) return ob::PlannerStatus::UNKNOWN;
+  if (search_->rootCount(Side::kPick) == 0) {
+    OMPL_ERROR("%s: there is no valid start state", getName().c_str());
+    return ob::PlannerStatus::INVALID_START;
+  }
+  if (plantFirstGoal(goal, ptc)) return ob::PlannerStatus::UNKNOWN;
+  if (ptc && mayGiveMore(goal)) return ob::PlannerStatus::TIMEOUT;
+  OMPL_ERROR("%s: there is no valid goal state", getName().c_str());
+  return ob::PlannerStatus::INVALID_GOAL;
 }
 
 // A pick-and-place problem can do nothing with a grasp it does not know.
@@ -141,7 +163,7 @@ bool ParallelPlanner::plantFirstGoal(const ob::GoalSampleableRegion& goal,
 void ParallelPlanner::work(const ob::PlannerTerminationCondition& ptc) {
   search_->resume();
   runCrew(threadCount(), [&](std::size_t number, const std::atomic<bool>& stop) {
-    while (!stop && !search_->finished() && !ptc) workers_[number]->step();
+    while (!stop && !search_->finished() && !search_->expired() && !ptc) workers_[number]->step();
   });
   search_->pause();
 }

@@ -54,7 +54,11 @@ class ParallelPlanner : public ompl::base::Planner {
  private:
   ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition& ptc);
   void forget();
-  void prepareSearch(const ompl::base::GoalSampleableRegion* goal);
+  void prepareSearch(const ompl::base::GoalSampleableRegion& goal);
+  void beginSearch(const ompl::base::GoalSampleableRegion& goal);
+  void hireWorkers();
+  ompl::base::PlannerStatus plantRoots(const ompl::base::GoalSampleableRegion& goal,
+                                       const ompl::base::PlannerTerminationCondition& ptc);
   void plantStarts();
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,

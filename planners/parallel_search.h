@@ -66,12 +66,15 @@ class ParallelSearch {
   virtual void resume() {}
   virtual void pause() {}
 
+  /// True when it is time to drop all there is and begin anew.
+  virtual bool expired() const { return false; }
+
   virtual void forEachNode(const std::function<void(const Node&)>& visit) const = 0;
 
   const ompl::base::SpaceInformationPtr& si() const { return problem_.si; }
   const PickPlaceRegion* region() const { return problem_.region; }
   const GraspAccess& grasps() const { return grasps_; }
-  Statistics& statistics() { return problem_.statistics; }
+  Statistics& statistics() const { return problem_.statistics; }
 
   std::size_t rootCount(Side side) const { return roots_[index(side)]; }
 

@@ -23,12 +23,19 @@ class Search : public ParallelSearch {
   Search(const SearchProblem& problem, const B4PParameters& parameters)
       : ParallelSearch(problem),
         parameters_(parameters),
+        iterations_before_(problem.statistics.iterations),
         everywhere_{NodeIndex(grasps().distance()), NodeIndex(grasps().distance())} {}
 
   std::unique_ptr<ParallelWorker> newWorker(std::uint64_t seed) override;
 
   bool addRoot(Side side, const ompl::base::State* root, GraspId grasp) override {
     return plant(side, root, grasp) != nullptr;
+  }
+
+  /// Paper mode: after `restart_iterations` of all workers together.
+  bool expired() const override {
+    return parameters_.paper && parameters_.restart_iterations > 0 &&
+           statistics().iterations - iterations_before_ >= parameters_.restart_iterations;
   }
 
   const B4PParameters& parameters() const { return parameters_; }
@@ -68,6 +75,7 @@ class Search : public ParallelSearch {
   bool pickIsPlanted(const ompl::base::State* root, GraspId grasp);
 
   const B4PParameters parameters_;
+  const std::uint64_t iterations_before_;  ///< those of searches that were restarted
   Schedule schedule_;
   ConnectionMemory memory_;
   std::array<NodeIndex, 2> everywhere_;

@@ -21,7 +21,7 @@ class IndividualWorker : public PairWorker {
  private:
   void seek() {
     const RRTIndividualParameters& parameters = search_.parameters();
-    if (seekPlacement(*pair_, parameters.placement_draws_per_step)) return;
+    if (seekPlacement(*pair_)) return;
     if (!parameters.redraw || pair_->placementsTried() < parameters.placement_attempts) return;
     search_.drop(pair_);
     pair_.reset();

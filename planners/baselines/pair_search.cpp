@@ -62,13 +62,21 @@ std::shared_ptr<TreePair> PairWorker::drawPick() {
   return grasp == kNoGrasp ? nullptr : search_.addPair(drawer_.root(), grasp);
 }
 
-bool PairWorker::seekPlacement(TreePair& pair, unsigned draws) {
-  for (unsigned draw = 0; draw < draws && !pair.complete(); ++draw) {
-    const PlacementId placement = drawer_.region().samplePlacement();
-    pair.countPlacementTried();
-    countOne(search_.statistics().placements_tried);
-    if (drawer_.derivePlaceRoot(placement, pair.grasp())) pair.complete(drawer_.root(), placement);
-  }
+// A grasp without any placement asks for millions, which the region would all keep; beyond a number that
+// fills it densely, those that are known are as good as new ones.
+PlacementId PairWorker::drawPlacement() {
+  constexpr std::size_t kMostPlacements = 100000;
+  if (placements_.size() == kMostPlacements)
+    return placements_[static_cast<std::size_t>(motion_.random().uniformInt(0, kMostPlacements - 1))];
+  placements_.push_back(drawer_.region().samplePlacement());
+  return placements_.back();
+}
+
+bool PairWorker::seekPlacement(TreePair& pair) {
+  const PlacementId placement = drawPlacement();
+  pair.countPlacementTried();
+  countOne(search_.statistics().placements_tried);
+  if (drawer_.derivePlaceRoot(placement, pair.grasp())) pair.complete(drawer_.root(), placement);
   return pair.complete();
 }
 

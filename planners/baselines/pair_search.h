@@ -58,18 +58,21 @@ class PairWorker : public ParallelWorker {
   /// Draws a grasp and its pick: a new pair, or nullptr when this draw gave nothing.
   std::shared_ptr<TreePair> drawPick();
 
-  /// Draws up to `draws` placements until one has a place root for the pair's grasp (Eq. 3), and completes
-  /// the pair with it. Whether the pair is complete.
-  bool seekPlacement(TreePair& pair, unsigned draws);
+  /// Draws one placement. If it has a place root for the pair's grasp (Eq. 3), the pair is complete with it.
+  /// Whether the pair is complete.
+  bool seekPlacement(TreePair& pair);
 
   /// One iteration of RRT-Connect on a complete pair, the two sides in turn.
   void grow(TreePair& pair);
 
  private:
+  PlacementId drawPlacement();
+
   PairSearch& search_;
   Motion motion_;
   RootDrawer drawer_;
   Side next_side_ = Side::kPick;
+  std::vector<PlacementId> placements_;  ///< drawn so far
 };
 
 }  // namespace b4p

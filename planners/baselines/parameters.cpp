@@ -15,16 +15,11 @@ std::string BaselineParameters::problem() const {
   return "";
 }
 
-std::string KeepingParameters::problem() const {
-  if (placement_draws_per_step < 1) return "placement_draws_per_step must be at least 1 (0)";
-  return BaselineParameters::problem();
-}
-
 std::string RRTSharedParameters::problem() const {
   constexpr double kLongest_s = 1e6;
   if (!(restart_s > 0.0 && restart_s <= kLongest_s))
     return "restart_s must be > 0 and at most 1e6 s (" + std::to_string(restart_s) + ")";
-  return KeepingParameters::problem();
+  return BaselineParameters::problem();
 }
 
 std::string RRTRestartParameters::problem() const {

@@ -22,10 +22,6 @@ struct KeepingParameters : BaselineParameters {
   /// false: a grasp without a place root is kept, and further placements are tried for it (literal). true:
   /// after `placement_attempts` failed placements another grasp is drawn.
   bool redraw = false;
-
-  unsigned placement_draws_per_step = 4;  ///< placements tried in one step, >= 1
-
-  std::string problem() const;
 };
 
 /// Settings of RRTIndividual.

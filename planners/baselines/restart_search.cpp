@@ -31,7 +31,7 @@ class RestartWorker : public PairWorker {
     if (candidate_ == nullptr) candidate_ = search_.takeGivenPick();
     if (candidate_ == nullptr) candidate_ = drawPick();
     if (candidate_ != nullptr) {
-      if (seekPlacement(*candidate_, 1)) {
+      if (seekPlacement(*candidate_)) {
         turn_->pair = std::move(candidate_);
         candidate_ = nullptr;
         return;

@@ -6,7 +6,6 @@ namespace b4p {
 RRTIndividual::RRTIndividual(const ompl::base::SpaceInformationPtr& si)
     : BaselinePlanner(si, "RRTIndividual") {
   declare("redraw", &RRTIndividualParameters::redraw, "0,1");
-  declare("placement_draws_per_step", &RRTIndividualParameters::placement_draws_per_step, "1:1:1000");
   declareProgress("threads with both roots INTEGER", statistics().pairs);
 }
 

@@ -5,7 +5,6 @@ namespace b4p {
 
 RRTShared::RRTShared(const ompl::base::SpaceInformationPtr& si) : BaselinePlanner(si, "RRTShared") {
   declare("redraw", &RRTSharedParameters::redraw, "0,1");
-  declare("placement_draws_per_step", &RRTSharedParameters::placement_draws_per_step, "1:1:1000");
   declare("restart_s", &RRTSharedParameters::restart_s, "0.001:0.001:1000000.");
   declare("restart_iterations", &RRTSharedParameters::restart_iterations, "0:1:1000000000");
   declareProgress("pairs INTEGER", statistics().pairs);

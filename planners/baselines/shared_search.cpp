@@ -25,7 +25,7 @@ class SharedWorker : public PairWorker {
  private:
   void seek(const std::shared_ptr<TreePair>& pair) {
     const RRTSharedParameters& parameters = search_.parameters();
-    if (seekPlacement(*pair, parameters.placement_draws_per_step)) return;
+    if (seekPlacement(*pair)) return;
     if (parameters.redraw && pair->placementsTried() >= parameters.placement_attempts) search_.giveUp(pair);
   }
 
