@@ -30,6 +30,9 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kTurn_rad = 2.0 * kPi;
 /// How far above one a sine or cosine may come by rounding.
 constexpr double kRounding = 1e-12;
+/// How far outside the limits (rad) a posture may come by rounding, which is most where the elbow is
+/// stretched.
+constexpr double kLimitRounding = 1e-7;
 /// A sine of q2 below this leaves only the sum of q1 and q3 to be found.
 constexpr double kStraightShoulder = 1e-8;
 
@@ -61,11 +64,12 @@ Eigen::Isometry3d shoulder(const Line& axis1, const Line& axis2) {
   return X_WS;
 }
 
-/// Brings an angle of less than a turn and a half inside the limits, if a whole turn can.
+/// Brings an angle of less than a turn and a half inside the limits, if a whole turn can; false if not.
 bool wrap(double lower, double upper, double& angle) {
-  if (angle < lower) angle += kTurn_rad;
-  if (angle > upper) angle -= kTurn_rad;
-  return angle >= lower && angle <= upper;
+  const double least = lower - kLimitRounding, most = upper + kLimitRounding;
+  if (angle < least) angle += kTurn_rad;
+  if (angle > most) angle -= kTurn_rad;
+  return angle >= least && angle <= most;
 }
 
 /// A posture in the making, joint by joint from the hand to the base.

@@ -27,7 +27,8 @@ struct PandaArm {
   /// matter.
   static std::optional<PandaArm> recognise(const Manipulator& robot, double tolerance_m);
 
-  /// All postures, up to whole turns, that put frame 7 at X_S7 with joint 7 at q7 and lie inside the limits.
+  /// All postures, up to whole turns, that put frame 7 at X_S7 with joint 7 at q7 and lie inside the limits
+  /// but for rounding.
   struct Postures {
     std::array<Joints, 8> at;
     int count = 0;
