@@ -81,6 +81,8 @@ std::string parameterMeaning(const std::string& name) {
       {kPaper, "1: the algorithm as printed; set by the planner's name"},
       {"pick_roots", "b4p-paper: pick trees (count)"},
       {"place_roots", "b4p-paper: place trees (count)"},
+      {"relaxed", "1: trees of different grasps are joined; 0: only those of equal grasps"},
+      {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
       {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
       {"slice", "b4p: turns of growth (iterations) of a grasp before another has its own"},
       {"root_attempts", "b4p: placements tried per turn of root drawing (count)"},

@@ -28,6 +28,8 @@ B4P::B4P(const ob::SpaceInformationPtr& si) : ob::Planner(si, "B4P") {
   declare("paper", &B4PParameters::paper, "0,1");
   declare("pick_roots", &B4PParameters::pick_roots, "1:1:1024");
   declare("place_roots", &B4PParameters::place_roots, "1:1:1024");
+  declare("relaxed", &B4PParameters::relaxed, "0,1");
+  declare("repair", &B4PParameters::repair, "0,1");
   declare("range", &B4PParameters::range, "0.:0.01:10000.");
   declare("slice", &B4PParameters::slice, "1:1:100000");
   declare("root_attempts", &B4PParameters::root_attempts, "1:1:10000");
@@ -113,7 +115,7 @@ ob::PlannerStatus B4P::search(const ob::PlannerTerminationCondition& ptc) {
       return ob::PlannerStatus::INVALID_GOAL;
     }
   }
-  work(ptc);
+  work([this](std::size_t number) { workers_[number]->step(); }, [this] { return search_->finished(); }, ptc);
   const auto solution = search_->takeSolution();
   if (!solution) return ob::PlannerStatus::TIMEOUT;
   addSolution(*solution);
@@ -128,8 +130,9 @@ void B4P::prepareSearch(ob::GoalSampleableRegion* goal) {
     problem_ = pdef_;
     goal_ = pdef_->getGoal();
     const auto* place_goal = dynamic_cast<const PlaceGoal*>(goal);
-    search_ = std::make_unique<Search>(
-        si_, parameters_, goal, place_goal != nullptr ? &place_goal->region() : nullptr, pis_, statistics_);
+    search_ = std::make_unique<Search>(si_, parameters_, goal,
+                                       place_goal != nullptr ? &place_goal->region() : nullptr, pis_,
+                                       statistics_, publicationLog());
   }
   for (const auto& worker : workers_) worker->rest();  // there may be fewer threads this time
   // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads
@@ -167,9 +170,10 @@ bool B4P::plantFirstGoal(const ob::GoalSampleableRegion& goal, const ob::Planner
   return search_->rootCount(Side::kPlace) > 0;
 }
 
-void B4P::work(const ob::PlannerTerminationCondition& ptc) {
+void B4P::work(const std::function<void(std::size_t)>& step, const std::function<bool()>& finished,
+               const ob::PlannerTerminationCondition& ptc) {
   runCrew(parameters_.threads, [&](std::size_t number, const std::atomic<bool>& stop) {
-    while (!stop && !search_->finished() && !ptc) workers_[number]->step();
+    while (!stop && !finished() && !ptc) step(number);
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,6 +56,16 @@ class B4P : public ompl::base::Planner {
   /// @throws ompl::Exception naming what is out of range; nothing changes then.
   void setParameters(const B4PParameters& parameters);
 
+ protected:
+  /// Lets workers 0 ... threads-1 take steps until the search has finished or `ptc` holds: here each in a
+  /// thread of its own. What `step` throws passes through.
+  virtual void work(const std::function<void(std::size_t number)>& step,
+                    const std::function<bool()>& finished,
+                    const ompl::base::PlannerTerminationCondition& ptc);
+
+  /// Through which workers see what others have done; nullptr: at once.
+  virtual PublicationLog* publicationLog() { return nullptr; }
+
  private:
   template <class Value>
   void declare(const std::string& name, Value B4PParameters::*field, const std::string& range);
@@ -66,7 +77,6 @@ class B4P : public ompl::base::Planner {
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
                       const ompl::base::PlannerTerminationCondition& ptc);
-  void work(const ompl::base::PlannerTerminationCondition& ptc);
   void addSolution(const ompl::geometric::PathGeometric& path);
 
   B4PParameters parameters_;

@@ -13,7 +13,7 @@ namespace og = ompl::geometric;
 
 Search::Search(ob::SpaceInformationPtr si, const B4PParameters& parameters,
                const ob::GoalSampleableRegion* goal, const PickPlaceRegion* region,
-               ob::PlannerInputStates& inputs, Statistics& statistics)
+               ob::PlannerInputStates& inputs, Statistics& statistics, PublicationLog* log)
     : si_(std::move(si)),
       parameters_(parameters),
       goal_(goal),
@@ -21,7 +21,8 @@ Search::Search(ob::SpaceInformationPtr si, const B4PParameters& parameters,
       grasps_(si_),
       inputs_(inputs),
       statistics_(statistics),
-      everywhere_{NodeIndex(grasps_.distance()), NodeIndex(grasps_.distance())} {}
+      log_(log),
+      everywhere_{NodeIndex(grasps_.distance(), log), NodeIndex(grasps_.distance(), log)} {}
 
 ForestPair& Search::forestsOf(GraspId grasp) {
   const GraspId key = parameters_.paper ? kNoGrasp : grasp;
@@ -30,8 +31,9 @@ ForestPair& Search::forestsOf(GraspId grasp) {
   if (!forests) {
     // Joins across grasps need an index over all forests; a single pair is its own.
     const bool several = region_ != nullptr && !parameters_.paper;
-    forests = std::make_unique<ForestPair>(si_, grasps_.distance(), key, several ? &everywhere_ : nullptr);
-    schedule_.add(forests.get());
+    forests =
+        std::make_unique<ForestPair>(si_, grasps_.distance(), key, several ? &everywhere_ : nullptr, log_);
+    share(log_, [this, added = forests.get()] { schedule_.add(added); });
   }
   return *forests;
 }
@@ -59,9 +61,12 @@ Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId
   if (!allFinite(*si_->getStateSpace(), root)) return nullptr;
   const bool known = side == Side::kPick && pickIsPlanted(root, grasp);
   Tree* tree = known ? nullptr : forestsOf(grasp).plant(side, root, grasp, placement);
-  ++offered_[index(side)];  // after planting: who has seen the count sees the tree
+  // After planting: who has seen the count sees the tree.
+  share(log_, [this, side, planted = tree != nullptr] {
+    ++offered_[index(side)];
+    if (planted) ++roots_[index(side)];
+  });
   if (tree == nullptr) return nullptr;
-  ++roots_[index(side)];
   countOne(statistics_.roots);
   countOne(statistics_.nodes);
   return tree;
@@ -80,11 +85,17 @@ bool Search::rootsMatch(const Junction& junction) const {
 }
 
 void Search::publish(const Junction& junction) {
-  {
-    const std::lock_guard<std::mutex> lock(solution_mutex_);
-    connections_.push_back(junction);
-  }
-  publish(pathThrough(junction, si_).path);
+  share(log_, [this, junction] {
+    {
+      const std::lock_guard<std::mutex> lock(solution_mutex_);
+      connections_.push_back(junction);
+    }
+    finish(pathThrough(junction, si_).path);
+  });
+}
+
+void Search::publish(const og::PathGeometric& path) {
+  share(log_, [this, path] { finish(path); });
 }
 
 std::vector<Junction> Search::connections() const {
@@ -92,7 +103,7 @@ std::vector<Junction> Search::connections() const {
   return connections_;
 }
 
-void Search::publish(const og::PathGeometric& path) {
+void Search::finish(const og::PathGeometric& path) {
   std::lock_guard<std::mutex> lock(solution_mutex_);
   if (finished_) return;
   solution_ = path;
@@ -109,9 +120,11 @@ std::optional<og::PathGeometric> Search::takeSolution() {
 
 void Search::submit(std::shared_ptr<PathRepair> repair) {
   countOne(statistics_.repairs_tried);
-  std::lock_guard<std::mutex> lock(repairs_mutex_);
-  repairs_.push_back(std::move(repair));
-  repairs_waiting_ = repairs_.size();
+  share(log_, [this, repair = std::move(repair)] {
+    std::lock_guard<std::mutex> lock(repairs_mutex_);
+    repairs_.push_back(repair);
+    repairs_waiting_ = repairs_.size();
+  });
 }
 
 std::shared_ptr<PathRepair> Search::repair() {

@@ -17,6 +17,7 @@
 #include "planners/b4p/forest.h"
 #include "planners/b4p/parameters.h"
 #include "planners/b4p/path_repair.h"
+#include "planners/b4p/publication_log.h"
 #include "planners/b4p/schedule.h"
 #include "planners/b4p/statistics.h"
 
@@ -29,9 +30,10 @@ class Search {
   /// @param region  the pick-and-place problem behind the goal, or nullptr on a plain OMPL problem
   /// @param inputs      start and goal states of the problem
   /// @param statistics  counts what is done
+  /// @param log         when given, workers see through it what others have done; they then share one thread
   Search(ompl::base::SpaceInformationPtr si, const B4PParameters& parameters,
          const ompl::base::GoalSampleableRegion* goal, const PickPlaceRegion* region,
-         ompl::base::PlannerInputStates& inputs, Statistics& statistics);
+         ompl::base::PlannerInputStates& inputs, Statistics& statistics, PublicationLog* log = nullptr);
 
   const ompl::base::SpaceInformationPtr& si() const { return si_; }
   const B4PParameters& parameters() const { return parameters_; }
@@ -40,6 +42,7 @@ class Search {
   Statistics& statistics() { return statistics_; }
   Schedule& schedule() { return schedule_; }
   ConnectionMemory& memory() { return memory_; }
+  PublicationLog* log() { return log_; }
 
   /// The forests in which a tree of this grasp grows: one pair per grasp, or one for all grasps in paper
   /// mode.
@@ -88,6 +91,7 @@ class Search {
 
  private:
   bool pickIsPlanted(const ompl::base::State* root, GraspId grasp);
+  void finish(const ompl::geometric::PathGeometric& path);
 
   const ompl::base::SpaceInformationPtr si_;
   const B4PParameters parameters_;
@@ -96,6 +100,7 @@ class Search {
   const GraspAccess grasps_;
   ompl::base::PlannerInputStates& inputs_;
   Statistics& statistics_;
+  PublicationLog* const log_;
   Schedule schedule_;
   ConnectionMemory memory_;
   std::array<NodeIndex, 2> everywhere_;
