@@ -32,8 +32,8 @@ class VirtualTime {
   /// @param workers  >= 1; they all begin at 0
   VirtualTime(std::size_t workers, PublicationLog& log, CostClock cost);
 
-  /// Until the search has finished, no worker may begin a step before `limit_s` any more, or `stop` says so.
-  /// Steps that have begun are then ended. What `step` throws passes through.
+  /// Until the search has finished, all clocks have reached `limit_s`, or `stop` says so; steps that have
+  /// begun by then are ended. To be called once. What `step` throws passes through.
   /// @param step      lets the worker of this number take one step, which shares through the log
   /// @param finished  whether an effect shared so far has finished the search
   Report run(const std::function<void(std::size_t number)>& step, const std::function<bool()>& finished,
