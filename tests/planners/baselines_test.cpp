@@ -124,35 +124,38 @@ TEST(RRTIndividualSearch, GraspWithoutAPlacementIsKeptUnlessRedrawIsAskedFor) {
   EXPECT_GT(redrawing.statistics.grasps_taken, 8u);
 }
 
+/// A context of a region without any place root, which counts its placements.
+class HopelessContext : public PickPlaceContext {
+ public:
+  explicit HopelessContext(std::atomic<int>& drawn) : drawn_(drawn) {}
+  bool samplePick(double* q, GraspId& grasp) override {
+    q[0] = q[1] = 2.0;
+    grasp = 0;
+    return true;
+  }
+  PlacementId samplePlacement() override { return drawn_++; }
+  bool placeRoot(PlacementId placement, GraspId, double*) override {
+    EXPECT_LT(placement, drawn_);
+    return false;
+  }
+
+ private:
+  std::atomic<int>& drawn_;
+};
+
+class HopelessRegion : public DiscRegion {
+ public:
+  using DiscRegion::DiscRegion;
+  std::unique_ptr<PickPlaceContext> makeContext(std::uint64_t) const override {
+    return std::make_unique<HopelessContext>(drawn);
+  }
+  mutable std::atomic<int> drawn{0};
+};
+
 // A region keeps every placement that is drawn.
 TEST(RRTIndividualSearch, GraspWithoutAPlacementDoesNotFillTheMemory) {
-  class CountingRegion : public DiscRegion {
-   public:
-    using DiscRegion::DiscRegion;
-    std::unique_ptr<PickPlaceContext> makeContext(std::uint64_t) const override {
-      class Context : public PickPlaceContext {
-       public:
-        explicit Context(std::atomic<int>& drawn) : drawn_(drawn) {}
-        bool samplePick(double* q, GraspId& grasp) override {
-          q[0] = q[1] = 2.0;
-          grasp = 0;
-          return true;
-        }
-        PlacementId samplePlacement() override { return drawn_++; }
-        bool placeRoot(PlacementId placement, GraspId, double*) override {
-          EXPECT_LT(placement, drawn_);
-          return false;
-        }
-
-       private:
-        std::atomic<int>& drawn_;
-      };
-      return std::make_unique<Context>(drawn);
-    }
-    mutable std::atomic<int> drawn{0};
-  };
   const DiscProblem setup(worldWithOpening(0.0));
-  const CountingRegion region(setup.world);
+  const HopelessRegion region(setup.world);
   ob::PlannerInputStates inputs;
   inputs.use(setup.problem);
   Statistics statistics;
