@@ -4,12 +4,13 @@
 // RRTRestart: it finds the one grasp that fits, slices grow, no pair is dropped. All: one thread and one seed
 // give one path; progress counts what there is; given picks come first; parameters out of range are named.
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <set>
-#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -214,6 +215,15 @@ TEST(RRTSharedSearch, RestartsByTheClockOfSolveAlone) {
   SteppedShared fast(worldWithOpening(0.0), parameters, 1);
   fast.step(20000);
   EXPECT_GT(fast.statistics.restarts, 1u);
+
+  parameters.restart_s = 0.5;
+  SteppedShared paused(worldWithOpening(0.0), parameters, 1);
+  paused.step(10);
+  paused.search->pause();
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  paused.search->resume();
+  paused.step(10);
+  EXPECT_EQ(paused.statistics.restarts, 0u);
 
   parameters.restart_s = 1e6;
   SteppedShared slow(worldWithOpening(0.0), parameters, 1);
