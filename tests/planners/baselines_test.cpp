@@ -246,9 +246,14 @@ TEST(RRTSharedSearch, GraspWithoutAPlacementIsKeptUntilTheRestartUnlessRedrawIsA
   EXPECT_GE(redrawing.statistics.pairs, 18u);
 }
 
+// A given pick that does not fit has its turn once, the first.
 TEST(RRTSharedPlanner, RestartsLeadToTheGraspThatFits) {
   ompl::msg::noOutputHandler();
   const DiscProblem setup(worldWithOpening(0.6));
+  ob::ScopedState<ManipulationStateSpace> start(setup.si);
+  start->q[0] = start->q[1] = 2.0;
+  start->grasp = 5;
+  setup.problem->addStartState(start);
   RRTShared planner(setup.si);
   RRTSharedParameters parameters;
   parameters.threads = 2;
