@@ -69,7 +69,7 @@ class ParallelSearch {
   virtual void resume() {}
   virtual void pause() {}
 
-  /// True when it is time to drop all there is and begin anew.
+  /// True when it is time for the planner to drop this search and begin another one, with all start states.
   virtual bool expired() const { return false; }
 
   virtual void forEachNode(const std::function<void(const Node&)>& visit) const = 0;
