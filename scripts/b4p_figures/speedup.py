@@ -4,7 +4,6 @@
 from pathlib import Path
 
 from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
 
 from b4p_files.speed_runs import THREADS, VIRTUAL_TIME, Study
@@ -34,10 +33,11 @@ def draw_speedup(axes: Axes, study: Study) -> None:
         _draw_points(axes, known, kind)
     paper = PAPER_MEANS_S.get(study.scene, {})
     if paper:
-        axes.plot(list(paper), [paper[1] / mean_s for mean_s in paper.values()], **PAPER_LOOK)
+        speedups = [paper[1] / mean_s for mean_s in paper.values()]
+        axes.plot(list(paper), speedups, label=PAPER_LABEL, **PAPER_LOOK)
         shown.update(paper)
     ends = (1, max(shown) if max(shown) > 1 else 2)
-    axes.plot(ends, ends, **IDEAL_LOOK)
+    axes.plot(ends, ends, label="ideal", **IDEAL_LOOK)
     axes.set_xscale("log", base=2)
     axes.set_yscale("log", base=2)
     ticks = [2**power for power in range(MOST_TICKS) if 2**power <= ends[1]]
@@ -58,7 +58,7 @@ def _draw_points(axes: Axes, known: list[Point], kind: str) -> None:
     below = [max(0.0, point.speedup.value - point.speedup.low) for point in known]
     above = [max(0.0, point.speedup.high - point.speedup.value) for point in known]
     workers = [point.workers for point in known]
-    axes.errorbar(workers, values, yerr=(below, above), capsize=3, **LOOKS[kind])
+    axes.errorbar(workers, values, yerr=(below, above), capsize=3, label=LABELS[kind], **LOOKS[kind])
     for point in known:
         if point.speedup.bound:
             at = (point.workers, point.speedup.value)
@@ -67,10 +67,11 @@ def _draw_points(axes: Axes, known: list[Point], kind: str) -> None:
 
 def plot_speedup(studies: list[Study], file: Path) -> None:
     figure, axes = panels(1, len(studies))
+    drawn = {}
     for column, study in enumerate(studies):
         draw_speedup(axes[0][column], study)
-    looks = {LABELS[kind]: LOOKS[kind] for kind in LOOKS}
-    looks |= {"ideal": IDEAL_LOOK, PAPER_LABEL: PAPER_LOOK}
-    handles = [Line2D([], [], label=label, **look) for label, look in looks.items()]
-    figure.legend(handles=handles, loc="outside lower center", ncols=min(len(studies) + 1, len(handles)))
+        handles, labels = axes[0][column].get_legend_handles_labels()
+        drawn |= dict(zip(labels, handles))
+    columns = min(len(studies) + 1, len(drawn))
+    figure.legend(drawn.values(), drawn.keys(), loc="outside lower center", ncols=columns)
     save(figure, file)

@@ -46,10 +46,16 @@ def points(study: Study, kind: str) -> list[Point]:
                 solved=sum(run.solved for run in runs),
                 time_s=median(times, limit),
                 work_s=float(np.median([run.work_s for run in runs])),
-                speedup=ratio(base, times, limit) if base else None,
+                speedup=_speedup(base, times, limit),
             )
         )
     return found
+
+
+def _speedup(base: list[float], times: list[float], limit: float) -> Ratio | None:
+    if base == times:  # one worker by itself, of which nothing is uncertain
+        return Ratio(1.0, 1.0, 1.0, "")
+    return ratio(base, times, limit) if base else None
 
 
 def threads_over_virtual_time(study: Study) -> list[tuple[int, Ratio, Ratio]]:
