@@ -89,7 +89,7 @@ int plan(const Options& options) {
   PlanResult result = query.result();
   if (result.solved) result.verification = verify(scene, result);
   writeResult(options.out, result);
-  if (!options.forests.empty()) writeForests(options.forests, query.problem(), *query.planner());
+  if (!options.forests.empty()) writeForests(options.forests, scene_name, query.problem(), *query.planner());
   report(result, options.out);
   if (crashed(result)) {
     std::cerr << "b4p: " << settings.planner << " ended by an exception: " << query.planner()->crash()
