@@ -278,9 +278,12 @@ std::string BenchmarkRunner::header() const {
   std::ostringstream text;
   for (const auto& [key, value] : buildInfo()) text << key << ": " << value << "\n";
   text << "experiment: " << experiment_.name << "\n";
-  for (const SceneRuns& runs : scenes_)
-    text << "time limit per run on " << runs.listed.scene.name << ": "
-         << experiment_.time_limit_s.value_or(runs.listed.scene.budget_s) << " s\n";
+  if (experiment_.time_limit_s)
+    text << "time limit per run: " << *experiment_.time_limit_s << " s\n";
+  else
+    for (const SceneRuns& runs : scenes_)
+      text << "time limit per run on " << runs.listed.scene.name << ": " << runs.listed.scene.budget_s
+           << " s\n";
   if (experiment_.check_cost_us)
     text << "check limit per run: the time limit x threads / " << *experiment_.check_cost_us << " us\n";
   for (const auto& [scene, checks] : experiment_.check_limits)
@@ -332,8 +335,10 @@ std::string BenchmarkRunner::progress() const {
 
 std::string BenchmarkRunner::outlook() const {
   std::ostringstream text;
-  text << planned_ << " runs planned, " << done_ << " of them recorded; the others take about "
-       << durationText(left_.about_s) << ", at most " << durationText(left_.at_most_s);
+  text << done_ << " of " << planned_ << " planned runs recorded";
+  if (!to_do_.empty())
+    text << "; the others take about " << durationText(left_.about_s) << ", at most "
+         << durationText(left_.at_most_s);
   if (!experiment_.left_out_threads.empty()) {
     text << "; left out, since there are not as many cores: threads";
     for (const unsigned threads : experiment_.left_out_threads) text << ' ' << threads;

@@ -42,7 +42,8 @@ class Resumption : public ::testing::Test {
   /// What is recorded of all runs but for their times, in the order they were made.
   std::vector<Outcome> outcomes() const {
     std::vector<Outcome> all;
-    for (const RunRecord& r : RunFile(runs()).records())
+    const RunFile file(runs());
+    for (const RunRecord& r : file.records())
       all.emplace_back(r.label, r.run, r.seed, r.verified(), r.grasp_id, r.checks, r.edge_checks);
     return all;
   }
