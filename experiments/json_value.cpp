@@ -21,11 +21,12 @@ const JsonValue& JsonValue::requireKeys(std::initializer_list<const char*> keys)
   return *this;
 }
 
-void JsonValue::requireSchema(int version) const {
+const JsonValue& JsonValue::requireSchema(int version) const {
   if (!value_.is_object()) fail("is not a JSON object");
   if (!value_.contains("schema")) fail("has no key 'schema'");
   const JsonValue schema = (*this)["schema"];
   if (schema.integer<int>() != version) schema.failWithValue("is not schema " + std::to_string(version));
+  return *this;
 }
 
 JsonValue JsonValue::operator[](const char* key) const {
@@ -74,6 +75,12 @@ std::map<std::string, std::string> JsonValue::texts() const {
   return map;
 }
 
+std::map<std::string, int> JsonValue::counts() const {
+  std::map<std::string, int> map;
+  for (const auto& [key, value] : entries()) map[key] = value.integer<int>();
+  return map;
+}
+
 std::vector<std::pair<std::string, JsonValue>> JsonValue::entries() const {
   if (!value_.is_object()) fail("is not an object");
   std::vector<std::pair<std::string, JsonValue>> list;
@@ -106,7 +113,7 @@ Json parseJson(std::istream& stream, const std::string& file) {
   }
 }
 
-Json loadJson(const std::string& file) {
+Json readJson(const std::string& file) {
   std::error_code error;
   std::ifstream stream(file, std::ios::binary);
   if (std::filesystem::is_directory(file, error) || !stream) throw InputError(file, "", "cannot be read");

@@ -26,8 +26,8 @@ class JsonValue {
   /// An object with exactly these keys.
   const JsonValue& requireKeys(std::initializer_list<const char*> keys) const;
 
-  /// Requires an object whose key `schema` is `version`.
-  void requireSchema(int version) const;
+  /// An object whose key `schema` is `version`.
+  const JsonValue& requireSchema(int version) const;
 
   JsonValue operator[](const char* key) const;  ///< a key that is there
   bool isNull() const { return value_.is_null(); }
@@ -39,7 +39,8 @@ class JsonValue {
   std::vector<double> numbers(std::size_t count) const;
   bool boolean() const;
   std::string text() const;
-  std::map<std::string, std::string> texts() const;                ///< of an object
+  std::map<std::string, std::string> texts() const;                ///< an object of texts
+  std::map<std::string, int> counts() const;                       ///< an object of integers
   std::vector<std::pair<std::string, JsonValue>> entries() const;  ///< of an object, in the file's order
 
   template <class Integer>
@@ -71,6 +72,6 @@ Json parseJson(std::istream& stream, const std::string& file);
 
 /// The document in a file.
 /// @throws InputError
-Json loadJson(const std::string& file);
+Json readJson(const std::string& file);
 
 }  // namespace b4p

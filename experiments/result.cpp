@@ -106,7 +106,7 @@ void writeResult(const std::string& file, const PlanResult& result) {
 }
 
 PlanResult readResult(const std::string& file) {
-  const Json document = loadJson(file);
+  const Json document = readJson(file);
   const JsonValue root(file, "", document);
   root.requireSchema(kSchema);
   root.requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s",

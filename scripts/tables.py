@@ -10,7 +10,7 @@ from b4p_files.errors import run
 from b4p_files.output import make_folder, replacing
 from b4p_files.published import read_published
 from b4p_files.records import Budget, planned_runs, read_records
-from b4p_figures.speedup import plot_speedup
+from b4p_figures.threads import plot_threads
 
 PUBLISHED = Path(__file__).resolve().parents[1] / "experiments" / "paper" / "published.yaml"
 
@@ -37,7 +37,7 @@ def main() -> None:
     for budget in Budget:
         if budget is Budget.SECONDS or all(record.check_limit is not None for record in records):
             file = arguments.out / f"threads_{budget.value}.png"
-            plot_speedup(records, published, budget, file)
+            plot_threads(records, published, budget, file)
             print(file)
 
 

@@ -121,7 +121,7 @@ std::vector<Contender> reconcileSettings(const std::string& file, const Experime
   const Json here = toJson(experiment, scenes);
   Json merged = here;
   if (std::filesystem::exists(file)) {
-    merged = loadJson(file);
+    merged = readJson(file);
     readContenders(JsonValue(file, "", merged));
     for (const char* key : {"name", "seed", "check_cost_us", "stop"})
       requireSame(file, key, merged[key], here[key]);

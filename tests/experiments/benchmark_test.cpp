@@ -29,12 +29,7 @@ class Crashing : public ob::Planner {
 class Benchmarks : public ::testing::Test {
  protected:
   Experiment experiment(int runs, const std::vector<std::string>& planners) const {
-    Experiment experiment;
-    experiment.file = "test";
-    experiment.name = "test";
-    experiment.runs = runs;
-    experiment.time_limit_s = 20.0;
-    experiment.scenes = {copy_.scene()};
+    Experiment experiment = benchmarkOf(copy_, runs);
     for (const std::string& planner : planners)
       experiment.contenders.push_back({"c" + std::to_string(experiment.contenders.size()), planner, 1, {}});
     return experiment;

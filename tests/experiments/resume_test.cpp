@@ -19,12 +19,7 @@ using ::testing::HasSubstr;
 class Resumption : public ::testing::Test {
  protected:
   Experiment experiment(int runs) const {
-    Experiment experiment;
-    experiment.file = "test";
-    experiment.name = "test";
-    experiment.runs = runs;
-    experiment.time_limit_s = 20.0;
-    experiment.scenes = {copy_.scene()};
+    Experiment experiment = benchmarkOf(copy_, runs);
     experiment.contenders = {{"first", "b4p", 1, {}}, {"second", "rrtconnect", 1, {}}};
     return experiment;
   }

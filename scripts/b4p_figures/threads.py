@@ -103,7 +103,7 @@ def _finish(axes: Axes, threads: list[int]) -> None:
     axes.set_xlabel("threads")
 
 
-def plot_speedup(records: list[Record], published: Published, budget: Budget, file: Path) -> None:
+def plot_threads(records: list[Record], published: Published, budget: Budget, file: Path) -> None:
     looks = group_looks(records, published)
     scenes = scenes_of(records, published)
     figure, axes = panels(2, len(scenes))
