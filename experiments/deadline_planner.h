@@ -35,7 +35,8 @@ class DeadlinePlanner : public ompl::base::Planner {
   double elapsed_s() const { return elapsed_s_; }
   /// Processor time that the whole process used meanwhile (s): of all threads, and of nobody else.
   double cpu_s() const { return cpu_s_; }
-  /// Why the last solve() ended as CRASH: what was thrown, or what B4P says that it caught. "" otherwise.
+  /// Why the last solve() ended as CRASH: what was thrown, or what a ParallelPlanner says that it caught. ""
+  /// otherwise.
   const std::string& crash() const { return crash_; }
 
  private:
