@@ -33,6 +33,7 @@ int runCommandLine(int argc, char** argv) {
   addPlanCommand(app, run);
   addBenchCommand(app, run);
   addVerifyCommand(app, run);
+  addCertifyCommand(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

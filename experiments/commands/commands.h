@@ -24,5 +24,6 @@ void addListCommand(CLI::App& app, Run& run);
 void addPlanCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
+void addCertifyCommand(CLI::App& app, Run& run);
 
 }  // namespace b4p
