@@ -20,7 +20,7 @@ struct CertificateSettings {
   std::uint64_t seed = 1;
   int grasps = 200;            ///< drawn where they form a continuum; finite families are taken whole
   int placement_draws = 100;   ///< tries to place the object with each grasp; > 0
-  double effort_s = 10.0;      ///< planning time for each grasp; > 0
+  double effort_s = 10.0;      ///< processor time to plan with each grasp; > 0
   std::vector<planar::GridSize> grids;  ///< for flood fills, coarse to fine; those of a planar robot alone
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/certification/grasp_examiner.h"
 
-#include <chrono>
 #include <random>
 #include <utility>
 
@@ -121,7 +120,7 @@ void GraspExaminer::plan(const std::vector<std::vector<double>>& starts, Examina
 }
 
 Examination GraspExaminer::examine(int id) const {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin_s = threadSeconds();
   const std::size_t grids = settings_.grids.size(), coarse = grids - (grids > 0 ? 1 : 0);
   Examination examination;
   GraspRecord& record = examination.record;
@@ -137,7 +136,7 @@ Examination GraspExaminer::examine(int id) const {
       if (record.status == GraspStatus::kUndecided) proveBlocked(record, coarse, grids);
     }
   }
-  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.seconds = threadSeconds() - begin_s;
   return examination;
 }
 

@@ -29,7 +29,7 @@ struct GraspRecord {
   planar::GridSize grid{0.0, 0};  ///< kBlocked: cells that the proof used
   double clearance_m = 0.0;      ///< kCompatible: smallest distance along its path
   std::uint64_t checks = 0;      ///< configurations looked at by the planner
-  double seconds = 0.0;          ///< spent on the grasp
+  double seconds = 0.0;          ///< processor time spent on the grasp
   std::string failure;           ///< what the verifier found wrong with the path that was found; mostly ""
 };
 

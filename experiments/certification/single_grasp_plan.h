@@ -9,9 +9,12 @@
 
 namespace b4p {
 
-/// OMPL's RRTConnect from picks of one grasp to placements with that grasp, for `effort_s` seconds at most
-/// (or until interrupted()). Its samples and placements depend on the seed alone, whatever other threads
-/// do, so that the time is all that can make a difference. Not verified.
+/// Processor time that the calling thread has used (s).
+double threadSeconds();
+
+/// OMPL's RRTConnect from picks of one grasp to placements with that grasp, for at most `effort_s` seconds of
+/// the thread's processor time (or until interrupted()), so that a busy machine makes no difference. Its
+/// samples and placements depend on the seed alone, whatever other threads do. Not verified.
 /// @param problem  with one grasp, not used before: it gets the start states
 /// @param picks    at least one configuration
 PlanResult planWithOneGrasp(Problem& problem, const std::vector<std::vector<double>>& picks,

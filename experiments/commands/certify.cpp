@@ -132,7 +132,7 @@ void addCertifyCommand(CLI::App& app, Run& run) {
                    "Grasps drawn where they form a continuum; finite families are taken whole")
       ->capture_default_str();
   command
-      ->add_option("--effort-s", options->effort_s, "Planning time for each grasp in seconds, > 0")
+      ->add_option("--effort-s", options->effort_s, "Processor time to plan with each grasp, in seconds, > 0")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed")->capture_default_str();
   command->add_option("--threads", options->threads, "Grasps looked at in parallel, 1 to 64")
