@@ -11,7 +11,6 @@
 #include "experiments/commands/commands.h"
 #include "experiments/planners.h"
 #include "experiments/scene.h"
-#include "planners/b4p/b4p_planner.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -55,7 +54,7 @@ void listPlanners() {
     for (const auto& [name, parameter] : planner->params().getParams()) {
       std::cout << "    " << name << ": " << parameter->getValue();
       if (!parameter->getRangeSuggestion().empty()) std::cout << ", " << parameter->getRangeSuggestion();
-      const std::string meaning = dynamic_cast<const B4P*>(planner.get()) ? parameterMeaning(name) : "";
+      const std::string meaning = parameterMeaning(*planner, name);
       std::cout << (meaning.empty() ? "" : "; ") << meaning << "\n";
     }
   }
