@@ -90,24 +90,23 @@ Json resultJson(const PlanResult& result) {
   requireFinite(result.planning_time_s, "planning_time_s");
   for (const auto& row : result.path)
     for (const double value : row) requireFinite(value, "path");
-  return {
-      {"schema", kSchema},
-      {"scene", result.scene},
-      {"planner", result.planner},
-      {"parameters", Json(result.parameters)},
-      {"seed", result.seed},
-      {"threads", result.threads},
-      {"time_limit_s", result.time_limit_s},
-      {"planning_time_s", result.planning_time_s},
-      {"status", result.status},
-      {"solved", result.solved},
-      {"grasp_id", result.grasp_id},
-      {"grasp", graspJson(result.grasp)},
-      {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
-      {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")},
-      {"joint_names", result.joint_names},
-      {"path", result.path},
-      {"verification", toJson(result.verification)}};
+  return {{"schema", kSchema},
+          {"scene", result.scene},
+          {"planner", result.planner},
+          {"parameters", Json(result.parameters)},
+          {"seed", result.seed},
+          {"threads", result.threads},
+          {"time_limit_s", result.time_limit_s},
+          {"planning_time_s", result.planning_time_s},
+          {"status", result.status},
+          {"solved", result.solved},
+          {"grasp_id", result.grasp_id},
+          {"grasp", graspJson(result.grasp)},
+          {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
+          {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")},
+          {"joint_names", result.joint_names},
+          {"path", result.path},
+          {"verification", toJson(result.verification)}};
 }
 
 void writeResult(const std::string& file, const PlanResult& result) {

@@ -72,11 +72,16 @@ std::string certificateFile(const Scene& scene) {
 
 std::string statusText(GraspStatus status) {
   switch (status) {
-    case GraspStatus::kInvalidAtPick: return "invalid at pick";
-    case GraspStatus::kNoPlacement: return "no placement";
-    case GraspStatus::kCompatible: return "compatible";
-    case GraspStatus::kBlocked: return "blocked";
-    case GraspStatus::kUndecided: break;
+    case GraspStatus::kInvalidAtPick:
+      return "invalid at pick";
+    case GraspStatus::kNoPlacement:
+      return "no placement";
+    case GraspStatus::kCompatible:
+      return "compatible";
+    case GraspStatus::kBlocked:
+      return "blocked";
+    case GraspStatus::kUndecided:
+      break;
   }
   return "undecided";
 }

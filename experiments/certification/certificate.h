@@ -18,19 +18,19 @@ namespace b4p {
 /// What decides the outcome of a certification, but for the speed of the machine.
 struct CertificateSettings {
   std::uint64_t seed = 1;
-  int grasps = 200;            ///< drawn where they form a continuum; finite families are taken whole
-  int placement_draws = 100;   ///< tries to place the object with each grasp; > 0
-  double effort_s = 10.0;      ///< processor time to plan with each grasp; > 0
+  int grasps = 200;           ///< drawn where they form a continuum; finite families are taken whole
+  int placement_draws = 100;  ///< tries to place the object with each grasp; > 0
+  double effort_s = 10.0;     ///< processor time to plan with each grasp; > 0
   std::vector<planar::GridSize> grids;  ///< for flood fills, coarse to fine; those of a planar robot alone
 };
 
 struct CertificateNumbers {
   int sampled = 0;
   int valid_at_pick = 0;
-  int with_placement = 0;  ///< of those, with a configuration for one of the placements drawn
-  int compatible = 0;      ///< with a verified path
-  int blocked = 0;         ///< proved to have none
-  int undecided = 0;       ///< planned for without success
+  int with_placement = 0;    ///< of those, with a configuration for one of the placements drawn
+  int compatible = 0;        ///< with a verified path
+  int blocked = 0;           ///< proved to have none
+  int undecided = 0;         ///< planned for without success
   double clearance_m = 0.0;  ///< smallest distance along any of the verified paths; 0 without any
 };
 

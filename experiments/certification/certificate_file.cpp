@@ -65,7 +65,8 @@ template <class Item, class ToJson>
 std::string lines(const std::vector<Item>& items, ToJson toJson) {
   std::string text;
   for (const Item& item : items)
-    text += (text.empty() ? "\n  " : ",\n  ") + toJson(item).dump(-1, ' ', false, Json::error_handler_t::replace);
+    text +=
+        (text.empty() ? "\n  " : ",\n  ") + toJson(item).dump(-1, ' ', false, Json::error_handler_t::replace);
   return "[" + text + "]";
 }
 
@@ -86,8 +87,8 @@ CertificateSettings readSettings(const JsonValue& value) {
 }
 
 CertificateNumbers readNumbers(const JsonValue& value) {
-  value.requireKeys({"sampled", "valid_at_pick", "with_placement", "compatible", "blocked", "undecided",
-                     "clearance_m"});
+  value.requireKeys(
+      {"sampled", "valid_at_pick", "with_placement", "compatible", "blocked", "undecided", "clearance_m"});
   CertificateNumbers numbers;
   numbers.sampled = value["sampled"].integer<int>();
   numbers.valid_at_pick = value["valid_at_pick"].integer<int>();
@@ -101,16 +102,15 @@ CertificateNumbers readNumbers(const JsonValue& value) {
 
 GraspStatus readStatus(const JsonValue& value) {
   const std::string text = value.text();
-  for (const GraspStatus status :
-       {GraspStatus::kInvalidAtPick, GraspStatus::kNoPlacement, GraspStatus::kCompatible,
-        GraspStatus::kBlocked, GraspStatus::kUndecided})
+  for (const GraspStatus status : {GraspStatus::kInvalidAtPick, GraspStatus::kNoPlacement,
+                                   GraspStatus::kCompatible, GraspStatus::kBlocked, GraspStatus::kUndecided})
     if (text == statusText(status)) return status;
   value.failWithValue("is not a status");
 }
 
 GraspRecord readRecord(const JsonValue& value) {
-  value.requireKeys({"id", "status", "placements_found", "grid", "clearance_m", "checks", "seconds",
-                     "failure", "grasp"});
+  value.requireKeys(
+      {"id", "status", "placements_found", "grid", "clearance_m", "checks", "seconds", "failure", "grasp"});
   GraspRecord record;
   record.id = value["id"].integer<int>();
   record.status = readStatus(value["status"]);

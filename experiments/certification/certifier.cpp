@@ -11,9 +11,7 @@
 
 namespace b4p {
 
-std::vector<planar::GridSize> Certifier::standardGrids() {
-  return {{0.02, 128}, {0.01, 256}, {0.005, 512}};
-}
+std::vector<planar::GridSize> Certifier::standardGrids() { return {{0.02, 128}, {0.01, 256}, {0.005, 512}}; }
 
 Certifier::Certifier(const Scene& scene, const CertificateSettings& settings)
     : scene_(scene),
@@ -56,8 +54,7 @@ void Certifier::work() {
 
 std::string Certifier::progress() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const double spent_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   std::ostringstream line;
   line.precision(0);
   line << std::fixed << done_ << " of " << examinations_.size() << " grasps, " << compatible_

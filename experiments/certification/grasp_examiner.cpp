@@ -21,10 +21,13 @@ constexpr double kMostCells = 1e9;    ///< two bits each
 
 std::string outcomeText(RootOutcome outcome, const std::string& collision) {
   switch (outcome) {
-    case RootOutcome::kValid: return "";
-    case RootOutcome::kUnreachable: return "no inverse kinematics";
+    case RootOutcome::kValid:
+      return "";
+    case RootOutcome::kUnreachable:
+      return "no inverse kinematics";
     case RootOutcome::kGripperCollides:
-    case RootOutcome::kArmCollides: break;
+    case RootOutcome::kArmCollides:
+      break;
   }
   if (!collision.empty()) return "collision " + collision;
   return outcome == RootOutcome::kArmCollides ? "the arm collides" : "gripper or object collide";

@@ -25,12 +25,12 @@ struct GraspRecord {
   int id = 0;
   Grasp grasp;
   GraspStatus status = GraspStatus::kInvalidAtPick;
-  int placements_found = 0;      ///< of the placements drawn; 0 where the grasp is not valid at the pick
+  int placements_found = 0;       ///< of the placements drawn; 0 where the grasp is not valid at the pick
   planar::GridSize grid{0.0, 0};  ///< kBlocked: cells that the proof used
-  double clearance_m = 0.0;      ///< kCompatible: smallest distance along its path
-  std::uint64_t checks = 0;      ///< configurations looked at by the planner
-  double seconds = 0.0;          ///< processor time spent on the grasp
-  std::string failure;           ///< what the verifier found wrong with the path that was found; mostly ""
+  double clearance_m = 0.0;       ///< kCompatible: smallest distance along its path
+  std::uint64_t checks = 0;       ///< configurations looked at by the planner
+  double seconds = 0.0;           ///< processor time spent on the grasp
+  std::string failure;            ///< what the verifier found wrong with the path that was found; mostly ""
 };
 
 }  // namespace b4p

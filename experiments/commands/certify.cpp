@@ -55,9 +55,10 @@ std::string reason(const Certificate& certificate) {
          std::to_string(std::lround(certificate.settings.effort_s)) + " s each";
 }
 
-int solvedBins(const Certificate& certificate) {
-  return static_cast<int>(std::count_if(certificate.bins.begin(), certificate.bins.end(),
-                                        [](const GraspBin& bin) { return bin.compatible > 0; }));
+/// Bins in which a count is not zero.
+std::ptrdiff_t binsWith(const Certificate& certificate, int GraspBin::*count) {
+  return std::count_if(certificate.bins.begin(), certificate.bins.end(),
+                       [count](const GraspBin& bin) { return bin.*count > 0; });
 }
 
 void report(const Certificate& certificate) {
@@ -74,7 +75,9 @@ void report(const Certificate& certificate) {
             << " compatible, " << n.blocked << " proved blocked, " << n.undecided
             << " undecided; smallest distance along a path " << n.clearance_m << " m\n";
   if (!certificate.bins.empty())
-    std::cout << "bins solved: " << solvedBins(certificate) << " of " << certificate.bins.size() << "\n";
+    std::cout << "bins of position and approach: " << certificate.bins.size() << ", "
+              << binsWith(certificate, &GraspBin::valid_at_pick) << " with a grasp valid at the pick, "
+              << binsWith(certificate, &GraspBin::compatible) << " with a compatible one\n";
 }
 
 /// @return whether the verifier refused a path

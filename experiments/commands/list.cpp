@@ -63,13 +63,14 @@ void listPlanners() {
 }  // namespace
 
 void addListCommand(CLI::App& app, Run& run) {
-  app.add_subcommand("list", "Scenes with what is certified, planners with their parameters")->callback([&run] {
-    run = [] {
-      listScenes();
-      listPlanners();
-      return kSolved;
-    };
-  });
+  app.add_subcommand("list", "Scenes with what is certified, planners with their parameters")
+      ->callback([&run] {
+        run = [] {
+          listScenes();
+          listPlanners();
+          return kSolved;
+        };
+      });
 }
 
 }  // namespace b4p

@@ -133,18 +133,18 @@ TEST(CertifyCommand, RefusesBadInputWithOneLine) {
   const SceneCopy copy;
   const auto before = copy.folder().files();
   const std::string nowhere = copy.scene() + "/below";
-  for (const auto& [arguments, culprit] : std::vector<std::pair<std::string, std::string>>{
-           {"atlantis", "atlantis"},
-           {"/nowhere/scene.yaml", "/nowhere/scene.yaml"},
-           {copy.scene() + " --grasps 0", "--grasps"},
-           {copy.scene() + " --grasps -3", "--grasps"},
-           {copy.scene() + " --grasps many", "--grasps"},
-           {copy.scene() + " --effort-s 0", "--effort-s"},
-           {copy.scene() + " --effort-s -1", "--effort-s"},
-           {copy.scene() + " --effort-s nan", "--effort-s"},
-           {copy.scene() + " --seed 1.5", "--seed"},
-           {copy.scene() + " --threads 0", "--threads"},
-           {copy.scene() + " --out " + nowhere, nowhere}}) {
+  for (const auto& [arguments, culprit] :
+       std::vector<std::pair<std::string, std::string>>{{"atlantis", "atlantis"},
+                                                        {"/nowhere/scene.yaml", "/nowhere/scene.yaml"},
+                                                        {copy.scene() + " --grasps 0", "--grasps"},
+                                                        {copy.scene() + " --grasps -3", "--grasps"},
+                                                        {copy.scene() + " --grasps many", "--grasps"},
+                                                        {copy.scene() + " --effort-s 0", "--effort-s"},
+                                                        {copy.scene() + " --effort-s -1", "--effort-s"},
+                                                        {copy.scene() + " --effort-s nan", "--effort-s"},
+                                                        {copy.scene() + " --seed 1.5", "--seed"},
+                                                        {copy.scene() + " --threads 0", "--threads"},
+                                                        {copy.scene() + " --out " + nowhere, nowhere}}) {
     const CommandRun run = runB4p("certify " + arguments);
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(run.errorLines(), 1) << run.err;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells called blocked collide, says the checker that planning uses, wherever one looks in them; and the cells
-// that it finds in collision are mostly called blocked.
+// Cells called blocked collide, says the checker that planning uses, wherever one looks in them; and the
+// cells that it finds in collision are mostly called blocked.
 #include "experiments/certification/planar/planar_scene.h"
 
 #include <gtest/gtest.h>
@@ -112,7 +112,8 @@ TEST(PlanarScene, BlockedCellsAmongObstaclesOfAllKindsCollide) {
        "  - {name: pillar, cylinder: {radius_m: 0.2, length_m: 0.4}, position_m: [-0.6, 0.5, 0]}\n"
        "  - {name: log, capsule: {radius_m: 0.1, length_m: 0.5}, position_m: [2.4, -0.6, 0.02], "
        "rpy_rad: [1.3, 0.4, 0]}\n"
-       "  - {name: beam, box: {size_m: [0.2, 0.3, 0.9]}, position_m: [-0.5, -0.5, 0], rpy_rad: [0.5, 0.6, 0]}\n"
+       "  - {name: beam, box: {size_m: [0.2, 0.3, 0.9]}, position_m: [-0.5, -0.5, 0], rpy_rad: [0.5, 0.6, "
+       "0]}\n"
        "  - {name: wedge, prism: {height_m: 0.1, polygon_m: [[0, 0], [0.5, 0.1], [0.1, 0.4]]}, "
        "position_m: [0.4, 0.6, 0.04], rpy_rad: [0, 0, 0.7]}\n"}};
   const SceneCopy copy(round);
@@ -164,8 +165,8 @@ TEST(PlanarScene, VerifiedPathOfTheMazeKeepsOutOfBlockedCells) {
 TEST(PlanarScene, ArmsAreRefusedWithAReason) {
   EXPECT_EQ(planar::whyNotPlanar(*makeProblem(loadScene("maze")).robot), "");
   EXPECT_NE(planar::whyNotPlanar(*makeProblem(loadScene("grocery")).robot), "");
-  const std::vector<SceneCopy::Change> tilted{{"<child link=\"body\"/><axis xyz=\"0 0 1\"/>",
-                                               "<child link=\"body\"/><axis xyz=\"0 1 0\"/>"}};
+  const std::vector<SceneCopy::Change> tilted{
+      {"<child link=\"body\"/><axis xyz=\"0 0 1\"/>", "<child link=\"body\"/><axis xyz=\"0 1 0\"/>"}};
   const SceneCopy copy(tilted, "planar.urdf");
   EXPECT_NE(planar::whyNotPlanar(*makeProblem(loadScene(copy.scene())).robot).find("turn"),
             std::string::npos);

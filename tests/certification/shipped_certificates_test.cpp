@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The certificates kept with the scenes speak about the scenes as they are, and hold where it is cheap to look.
+// The certificates kept with the scenes speak about the scenes as they are, and hold where it is cheap to
+// look.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -14,10 +14,10 @@ namespace b4p::planar {
 
 /// A rigid body that slides and turns among fixed obstacles, from a start pose into a region.
 struct PlanarTask {
-  std::vector<Slice> slices;         ///< the body collides where any slice overlaps
-  Eigen::Vector2d min_m, max_m;      ///< positions that the body's origin can take
-  Pose start;                        ///< the motion begins within the tolerances of this
-  Eigen::Vector2d point_m;           ///< the body's point that has to end in the region, in its own frame
+  std::vector<Slice> slices;     ///< the body collides where any slice overlaps
+  Eigen::Vector2d min_m, max_m;  ///< positions that the body's origin can take
+  Pose start;                    ///< the motion begins within the tolerances of this
+  Eigen::Vector2d point_m;       ///< the body's point that has to end in the region, in its own frame
   Eigen::Vector2d goal_min_m, goal_max_m;
   double goal_angle_rad = 0.0;       ///< middle and
   double goal_half_angle_rad = kPi;  ///< half width of the window in which the body's angle ends

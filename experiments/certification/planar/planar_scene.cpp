@@ -47,8 +47,7 @@ Eigen::Vector3d axisOf(const Manipulator& robot, int i) {
 /// Pose X_WC of the body frame with every planned joint at 0.
 Eigen::Isometry3d bodyPoseAtZero(const Manipulator& robot, const std::vector<Eigen::Isometry3d>& X_WL) {
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
-  X_WC.translation().head<2>() =
-      at(X_WL, plannedJoint(robot, kDof - 1).child_link).translation().head<2>();
+  X_WC.translation().head<2>() = at(X_WL, plannedJoint(robot, kDof - 1).child_link).translation().head<2>();
   return X_WC;
 }
 

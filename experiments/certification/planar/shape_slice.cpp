@@ -31,8 +31,8 @@ struct InnerPoints {
   Points operator()(const Box& box) const {
     Points points;
     for (int corner = 0; corner < 8; ++corner)
-      points.emplace_back(box.size.cwiseProduct(Eigen::Vector3d(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5,
-                                                                corner & 4 ? 0.5 : -0.5)));
+      points.emplace_back(box.size.cwiseProduct(
+          Eigen::Vector3d(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5)));
     return points;
   }
   Points operator()(const Sphere& sphere) const {
