@@ -67,6 +67,10 @@ class Query {
   std::uint64_t edge_checks_ = 0;
 };
 
+/// What a planner's status and the solution path of a problem say: status, joints, path, grasp and object
+/// poses.
+PlanResult pathResult(const Problem& problem, const ompl::base::PlannerStatus& status);
+
 /// Whether the planner ended by an exception, its own handling of it included.
 bool crashed(const PlanResult& result);
 

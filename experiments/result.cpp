@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "experiments/json_value.h"
 #include "experiments/output_file.h"
+#include "experiments/result_json.h"
 
 namespace b4p {
 namespace {
@@ -37,32 +37,6 @@ Json toJson(const Verification& verification) {
           {"clearance_m", verification.clearance_m}};
 }
 
-Json toJson(const PlanResult& result) {
-  requireFinite(result.time_limit_s, "time_limit_s");
-  requireFinite(result.planning_time_s, "planning_time_s");
-  requireFinite(result.grasp.opening_m, "grasp.opening_m");
-  for (const auto& row : result.path)
-    for (const double value : row) requireFinite(value, "path");
-  return {
-      {"schema", kSchema},
-      {"scene", result.scene},
-      {"planner", result.planner},
-      {"parameters", Json(result.parameters)},
-      {"seed", result.seed},
-      {"threads", result.threads},
-      {"time_limit_s", result.time_limit_s},
-      {"planning_time_s", result.planning_time_s},
-      {"status", result.status},
-      {"solved", result.solved},
-      {"grasp_id", result.grasp_id},
-      {"grasp", {{"X_OT", toJson(result.grasp.X_OT, "grasp.X_OT")}, {"opening_m", result.grasp.opening_m}}},
-      {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
-      {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")},
-      {"joint_names", result.joint_names},
-      {"path", result.path},
-      {"verification", toJson(result.verification)}};
-}
-
 Eigen::Isometry3d readPose(const JsonValue& pose) {
   pose.requireKeys({"position_m", "rotation"});
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
@@ -88,9 +62,7 @@ Verification readVerification(const JsonValue& element) {
 }
 
 void readMotion(const JsonValue& root, PlanResult& result) {
-  const JsonValue grasp = root["grasp"].requireKeys({"X_OT", "opening_m"});
-  result.grasp.X_OT = readPose(grasp["X_OT"]);
-  result.grasp.opening_m = grasp["opening_m"].number();
+  result.grasp = graspFrom(root["grasp"]);
   result.X_WO_pick = readPose(root["X_WO_pick"]);
   result.X_WO_place = readPose(root["X_WO_place"]);
   for (const JsonValue& name : root["joint_names"].items()) result.joint_names.push_back(name.text());
@@ -100,18 +72,53 @@ void readMotion(const JsonValue& root, PlanResult& result) {
 
 }  // namespace
 
+Json graspJson(const Grasp& grasp) {
+  requireFinite(grasp.opening_m, "grasp.opening_m");
+  return {{"X_OT", toJson(grasp.X_OT, "grasp.X_OT")}, {"opening_m", grasp.opening_m}};
+}
+
+Grasp graspFrom(const JsonValue& value) {
+  value.requireKeys({"X_OT", "opening_m"});
+  Grasp grasp;
+  grasp.X_OT = readPose(value["X_OT"]);
+  grasp.opening_m = value["opening_m"].number();
+  return grasp;
+}
+
+Json resultJson(const PlanResult& result) {
+  requireFinite(result.time_limit_s, "time_limit_s");
+  requireFinite(result.planning_time_s, "planning_time_s");
+  for (const auto& row : result.path)
+    for (const double value : row) requireFinite(value, "path");
+  return {{"schema", kSchema},
+          {"scene", result.scene},
+          {"planner", result.planner},
+          {"parameters", Json(result.parameters)},
+          {"seed", result.seed},
+          {"threads", result.threads},
+          {"time_limit_s", result.time_limit_s},
+          {"planning_time_s", result.planning_time_s},
+          {"status", result.status},
+          {"solved", result.solved},
+          {"grasp_id", result.grasp_id},
+          {"grasp", graspJson(result.grasp)},
+          {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
+          {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")},
+          {"joint_names", result.joint_names},
+          {"path", result.path},
+          {"verification", toJson(result.verification)}};
+}
+
 void writeResult(const std::string& file, const PlanResult& result) {
-  const std::string text = toJson(result).dump(kIndent, ' ', false, Json::error_handler_t::replace);
+  const std::string text = resultJson(result).dump(kIndent, ' ', false, Json::error_handler_t::replace);
   writeFile(file, text + "\n");
 }
 
-PlanResult readResult(const std::string& file) {
-  const Json document = readJson(file);
-  const JsonValue root(file, "", document);
-  root.requireSchema(kSchema);
-  root.requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s",
-                    "planning_time_s", "status", "solved", "grasp_id", "grasp", "X_WO_pick", "X_WO_place",
-                    "joint_names", "path", "verification"});
+PlanResult resultFrom(const JsonValue& root) {
+  root.requireSchema(kSchema).requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads",
+                                           "time_limit_s", "planning_time_s", "status", "solved", "grasp_id",
+                                           "grasp", "X_WO_pick", "X_WO_place", "joint_names", "path",
+                                           "verification"});
   PlanResult result;
   result.scene = root["scene"].text();
   result.planner = root["planner"].text();
@@ -126,6 +133,11 @@ PlanResult readResult(const std::string& file) {
   readMotion(root, result);
   result.verification = readVerification(root["verification"]);
   return result;
+}
+
+PlanResult readResult(const std::string& file) {
+  const Json document = readJson(file);
+  return resultFrom(JsonValue(file, "", document));
 }
 
 }  // namespace b4p
