@@ -32,6 +32,7 @@ int runCommandLine(int argc, char** argv) {
   addListCommand(app, run);
   addPlanCommand(app, run);
   addBenchCommand(app, run);
+  addSimulateCommand(app, run);
   addVerifyCommand(app, run);
   addCertifyCommand(app, run);
   try {

@@ -4,32 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <utility>
 
 #include "robots/input_error.h"
 
 namespace b4p {
-
-Json readJson(const std::string& file) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (std::filesystem::is_directory(file, error) || !stream) throw InputError(file, "", "cannot be read");
-  std::vector<std::set<std::string>> keys;
-  const auto watch = [&](int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      throw InputError(file, value.get<std::string>(), "is there twice");
-    return true;
-  };
-  try {
-    return Json::parse(stream, watch);
-  } catch (const Json::parse_error& e) {
-    throw InputError(file, "byte " + std::to_string(e.byte), "cut off or malformed JSON");
-  } catch (const Json::exception& e) {
-    throw InputError(file, "", e.what());
-  }
-}
 
 const JsonValue& JsonValue::requireKeys(std::initializer_list<const char*> keys) const {
   if (!value_.is_object()) fail("is not an object");
@@ -72,7 +50,7 @@ std::vector<JsonValue> JsonValue::items(std::size_t count) const {
 
 double JsonValue::number() const {
   if (!value_.is_number()) failWithValue("is not a finite number");
-  return value_.get<double>();  // finite: the parser refuses what overflows
+  return value_.get<double>();
 }
 
 std::vector<double> JsonValue::numbers(std::size_t count) const {
@@ -92,17 +70,22 @@ std::string JsonValue::text() const {
 }
 
 std::map<std::string, std::string> JsonValue::texts() const {
-  if (!value_.is_object()) fail("is not an object");
   std::map<std::string, std::string> map;
-  for (const auto& item : value_.items()) map[item.key()] = (*this)[item.key().c_str()].text();
+  for (const auto& [key, value] : entries()) map[key] = value.text();
   return map;
 }
 
 std::map<std::string, int> JsonValue::counts() const {
-  if (!value_.is_object()) fail("is not an object");
   std::map<std::string, int> map;
-  for (const auto& item : value_.items()) map[item.key()] = (*this)[item.key().c_str()].integer<int>();
+  for (const auto& [key, value] : entries()) map[key] = value.integer<int>();
   return map;
+}
+
+std::vector<std::pair<std::string, JsonValue>> JsonValue::entries() const {
+  if (!value_.is_object()) fail("is not an object");
+  std::vector<std::pair<std::string, JsonValue>> list;
+  for (const auto& item : value_.items()) list.emplace_back(item.key(), (*this)[item.key().c_str()]);
+  return list;
 }
 
 void JsonValue::fail(const std::string& problem) const { throw InputError(file_, name_, problem); }
@@ -110,6 +93,31 @@ void JsonValue::fail(const std::string& problem) const { throw InputError(file_,
 void JsonValue::failWithValue(const std::string& problem) const {
   constexpr std::size_t kLongest = 60;
   fail(value_.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, kLongest) + " " + problem);
+}
+
+Json parseJson(std::istream& stream, const std::string& file) {
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+      throw InputError(file, value.get<std::string>(), "is there twice");
+    return true;
+  };
+  try {
+    return Json::parse(stream, watch);
+  } catch (const Json::parse_error& e) {
+    throw InputError(file, "byte " + std::to_string(e.byte), "cut off or malformed JSON");
+  } catch (const Json::exception& e) {
+    throw InputError(file, "", e.what());
+  }
+}
+
+Json readJson(const std::string& file) {
+  std::error_code error;
+  std::ifstream stream(file, std::ios::binary);
+  if (std::filesystem::is_directory(file, error) || !stream) throw InputError(file, "", "cannot be read");
+  return parseJson(stream, file);
 }
 
 }  // namespace b4p

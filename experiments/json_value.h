@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -15,12 +16,8 @@ namespace b4p {
 
 using Json = nlohmann::ordered_json;
 
-/// The document in a file. Refuses what the parser would accept silently: the same key twice in an object.
-/// @throws InputError
-Json readJson(const std::string& file);
-
 /// A value in a JSON file, read strictly. Every function throws InputError naming the file, the element and
-/// the value found. Refers to the file's name and document, which have to outlive it.
+/// the value found. Refers to the document and the file's name, which have to live as long.
 class JsonValue {
  public:
   JsonValue(const std::string& file, std::string name, const Json& value)
@@ -32,14 +29,19 @@ class JsonValue {
   /// An object whose key `schema` is `version`.
   const JsonValue& requireSchema(int version) const;
 
-  JsonValue operator[](const char* key) const;  ///< a key known to be there
+  JsonValue operator[](const char* key) const;  ///< a key that is there
   bool isNull() const { return value_.is_null(); }
 
-  std::vector<JsonValue> items() const;
+  std::vector<JsonValue> items() const;  ///< of a list
   std::vector<JsonValue> items(std::size_t count) const;
 
-  double number() const;  ///< finite
+  double number() const;  ///< finite: the parser refuses what overflows
   std::vector<double> numbers(std::size_t count) const;
+  bool boolean() const;
+  std::string text() const;
+  std::map<std::string, std::string> texts() const;                ///< an object of texts
+  std::map<std::string, int> counts() const;                       ///< an object of integers
+  std::vector<std::pair<std::string, JsonValue>> entries() const;  ///< of an object, in the file's order
 
   template <class Integer>
   Integer integer() const {
@@ -54,11 +56,6 @@ class JsonValue {
     return value_.get<Integer>();
   }
 
-  bool boolean() const;
-  std::string text() const;
-  std::map<std::string, std::string> texts() const;  ///< an object of texts
-  std::map<std::string, int> counts() const;         ///< an object of integers
-
   [[noreturn]] void fail(const std::string& problem) const;
   [[noreturn]] void failWithValue(const std::string& problem) const;
 
@@ -67,5 +64,14 @@ class JsonValue {
   std::string name_;
   const Json& value_;
 };
+
+/// Parses a document and refuses what the parser would accept silently: the same key twice in an object.
+/// @param file  named in errors
+/// @throws InputError
+Json parseJson(std::istream& stream, const std::string& file);
+
+/// The document in a file.
+/// @throws InputError
+Json readJson(const std::string& file);
 
 }  // namespace b4p

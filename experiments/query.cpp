@@ -40,13 +40,15 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
     edge_checks_ = problem_.counts->edges;
     addStartStates(problem_, starts, derivedSeed(settings_.seed, kStartStream), done);
   };
-  const auto finish = [this] {
-    configurations_ = problem_.motions->configurationsChecked() - configurations_;
+  // Until the run ends, configurations_ is where the counter stood when it began.
+  const auto checked = [this] { return problem_.motions->configurationsChecked() - configurations_; };
+  const auto finish = [this, checked] {
+    configurations_ = checked();
     edge_checks_ = problem_.counts->edges - edge_checks_;
   };
   planner_ = std::make_shared<DeadlinePlanner>(
-      makePlanner(kind, settings.parameters, settings.threads, problem_.si, where), settings.time_limit_s,
-      prepare, finish);
+      makePlanner(kind, settings.parameters, settings.threads, problem_.si, where),
+      RunLimits{settings.time_limit_s, settings.check_limit, settings.stop}, prepare, finish, checked);
   problem_.setup->setPlanner(planner_);
 }
 

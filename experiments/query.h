@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "experiments/deadline_planner.h"
 #include "experiments/planners.h"
 #include "experiments/problem.h"
 #include "experiments/result.h"
+#include "experiments/run_limits.h"
 #include "experiments/scene.h"
 
 namespace b4p {
@@ -19,7 +21,9 @@ struct QuerySettings {
   PlannerParameters parameters;
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  double time_limit_s = 0.0;  ///< > 0
+  double time_limit_s = 0.0;                      ///< > 0
+  std::optional<std::uint64_t> check_limit = {};  ///< configurations checked (see RunLimits), none: no limit
+  StopRule stop = StopRule::kEither;              ///< where there is a check limit
 };
 
 /// One run of one planner on one scene. The time limit covers all that happens after construction: the
@@ -49,6 +53,9 @@ class Query {
   /// those of others before and afterwards.
   std::uint64_t configurationsChecked() const { return configurations_; }
   std::uint64_t edgeChecks() const { return edge_checks_; }
+
+  /// Processor time of all threads while the planner ran (s).
+  double cpu_s() const { return planner_->cpu_s(); }
 
  private:
   std::string scene_name_;

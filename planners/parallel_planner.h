@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,6 +48,14 @@ class ParallelPlanner : public ompl::base::Planner {
   virtual unsigned threadCount() const = 0;
   virtual std::unique_ptr<ParallelSearch> makeSearch(const SearchProblem& problem) = 0;
 
+  /// Lets workers 0 ... threadCount()-1 take steps until the search is `over` or `ptc` holds: here each in a
+  /// thread of its own. What `step` throws passes through.
+  virtual void work(const std::function<void(std::size_t number)>& step, const std::function<bool()>& over,
+                    const ompl::base::PlannerTerminationCondition& ptc);
+
+  /// Through which workers see what others have done; nullptr: at once.
+  virtual PublicationLog* publicationLog() { return nullptr; }
+
   /// @param count  a member of statistics()
   void declareProgress(const std::string& name, const std::atomic<std::uint64_t>& count);
   const Statistics& statistics() const { return statistics_; }
@@ -63,7 +72,6 @@ class ParallelPlanner : public ompl::base::Planner {
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
                       const ompl::base::PlannerTerminationCondition& ptc);
-  void work(const ompl::base::PlannerTerminationCondition& ptc);
   void addSolution(const ompl::geometric::PathGeometric& path);
 
   Statistics statistics_;
