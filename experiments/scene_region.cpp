@@ -12,7 +12,7 @@ namespace {
 
 /// Inverse-kinematics attempts per root, and how many answers that collide are tried again from another seed:
 /// a redundant arm reaches a pose with many postures.
-constexpr int kIkAttempts = 8;
+constexpr int kIkAttempts = 32;
 constexpr int kPostures = 3;
 
 constexpr IkTolerance kIkTolerance{1e-5, 1e-4};
@@ -64,7 +64,7 @@ struct SceneRegionContext::Impl {
         robot(checker.problem().robot),
         collisions(checker.makeContext()),
         gripper(gripper_checker),
-        kinematics(makeKdlInverseKinematics(robot, kIkTolerance)),
+        kinematics(makeInverseKinematics(robot, kIkTolerance)),
         random(seed) {}
 
   const SceneRegion& region;
