@@ -31,7 +31,7 @@ build_release b4p
 cd "$out"
 
 b4p="$root/build/release/experiments/b4p"
-scenes=(maze grocery)
+scenes=(maze stick grocery)
 
 heading "Benchmark experiments/demo.yaml"
 "$b4p" bench "$root/experiments/demo.yaml" --out "$out" --overwrite
@@ -50,14 +50,26 @@ for scene in "${scenes[@]}"; do
   grep -q '"solved": true' "$scene.json" || unsolved+=("$scene")
   "$python" "$root/scripts/draw.py" "$scene.json" --forests "${scene}_forests.json" -o "$scene.png"
   "$python" "$root/scripts/draw.py" "$scene" -o "${scene}_scene.png"
+  "$python" "$root/scripts/view.py" "$scene.json" -o "$scene.html"
 done
+
+# RRTConnect draws its picks before it plans: a second of it shows the grasps there are.
+heading "Scenes and sampled grasps"
+for scene in "${scenes[@]}"; do
+  "$b4p" plan "$scene" --planner rrtconnect --time-limit-s 1 --out "${scene}_picks.json" \
+    --forests "${scene}_picks_forests.json" >/dev/null || (($? == 1)) || fail "drawing picks of $scene failed"
+done
+"$python" "$root/scripts/figure4.py" "${scenes[@]/%/_picks_forests.json}" -o figure4.png
 
 heading "Done: look at"
 cat <<END
   $out/summary.md     solved, verified and times of every planner
   $out/plots/         overview.png, success.png, times.png, progress.png
   $out/maze.png       a solution of the maze and the trees that found it
+  $out/stick.png      the stick on its shelf
   $out/grocery.png    a solution of the grocery shelf
+  $out/*.html         the same in 3-D, to play and scrub; opens offline
+  $out/figure4.png    the scenes and their grasps side by side
   $out/demo.db        all runs, for Planner Arena and one's own queries
 END
 ((${#unsolved[@]} == 0)) || fail "unsolved within the budget: ${unsolved[*]}"

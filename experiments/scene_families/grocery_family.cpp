@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <array>
 
 #include "experiments/scene_families/families.h"
@@ -31,36 +30,35 @@ std::string planks(const Shelf& shelf) {
   const auto plank = [&](const std::string& name, double low) {
     return boxBetween(name, at(shelf, 0.0, -half, low), at(shelf, shelf.depth_m, half, low + kPlank_m));
   };
-  const auto side = [&](const std::string& name, double outer, double inner) {
-    return boxBetween(name, at(shelf, 0.0, std::min(outer, inner), foot),
-                      at(shelf, shelf.depth_m, std::max(outer, inner), top));
+  const auto side = [&](const std::string& name, double low) {
+    return boxBetween(name, at(shelf, 0.0, low, foot), at(shelf, shelf.depth_m, low + kPlank_m, top));
   };
-  return plank("shelf_bottom", -kPlank_m) + plank("shelf_top", shelf.gap_m) + plank("shelf_lower", -0.26) +
-         plank("shelf_upper", 0.38) + side("shelf_left", half, half - kPlank_m) +
-         side("shelf_right", -half, kPlank_m - half) +
+  return plank("shelf_bottom", -kPlank_m) + plank("shelf_top", shelf.gap_m) +
          boxBetween("shelf_back", at(shelf, shelf.depth_m, -half, foot),
-                    at(shelf, shelf.depth_m + kPlank_m, half, top));
+                    at(shelf, shelf.depth_m + kPlank_m, half, top)) +
+         side("shelf_left", half - kPlank_m) + side("shelf_right", -half) + plank("shelf_lower", -0.26) +
+         plank("shelf_upper", 0.38);
 }
 
-/// What stands around the gap for the can, each thing's front face `x` behind the shelf's edge.
-std::string neighbours(const Shelf& shelf, double clearance_m, double x) {
+/// What stands around the gap for the can, its middle `middle_m` behind the shelf's edge, and behind it.
+std::string neighbours(const Shelf& shelf, double clearance_m, double middle_m) {
   const double gap_half = kCan_m.y() / 2.0 + clearance_m;
-  return boxLine("sugar_box", kSugar_m,
-                 at(shelf, x + kSugar_m.x() / 2.0, -gap_half - kSugar_m.y() / 2.0, kSugar_m.z() / 2.0)) +
+  constexpr double kSugarHalf_m = 0.048, kCrackerHalf_m = 0.038;
+  return boxLine("sugar_box", kSugar_m, at(shelf, middle_m, -gap_half - kSugarHalf_m, kSugar_m.z() / 2.0)) +
          boxLine("cracker_box", kCracker_m,
-                 at(shelf, x + kCracker_m.x() / 2.0, gap_half + kCracker_m.y() / 2.0, kCracker_m.z() / 2.0)) +
-         cylinderLine("soup_can", 0.034, 0.102, at(shelf, shelf.depth_m - 0.036, 0.0, 0.051));
+                 at(shelf, middle_m, gap_half + kCrackerHalf_m, kCracker_m.z() / 2.0)) +
+         cylinderLine("soup_can", 0.034, 0.102, at(shelf, shelf.depth_m - 0.055, 0.0, 0.051));
 }
 
-/// Groceries in the compartments above and below, by number.
+/// Groceries in the other compartments and beside the gap, by number.
 std::string clutter(const Shelf& shelf, int count) {
-  const double above = shelf.gap_m + kPlank_m, below = kPlank_m - 0.26;
+  const double above = shelf.gap_m + kPlank_m, below = kPlank_m - 0.26, slack = 0.001;
   const std::array<std::string, 6> things{
-      boxLine("mustard", {0.058, 0.095, 0.14}, at(shelf, 0.1, -0.16, above + 0.07)),
-      cylinderLine("bottle", 0.037, 0.15, at(shelf, 0.08, 0.1, above + 0.075)),
+      boxLine("mustard", {0.058, 0.095, 0.14}, at(shelf, 0.1, -0.16, above + 0.07 + slack)),
+      cylinderLine("bottle", 0.037, 0.15, at(shelf, 0.08, 0.1, above + 0.075 + slack)),
       cylinderLine("tuna", 0.043, 0.034, at(shelf, 0.1, 0.1, below + 0.017)),
       cylinderLine("coffee", 0.051, 0.14, at(shelf, 0.09, -0.1, below + 0.07)),
-      boxLine("pudding", {0.035, 0.11, 0.089}, at(shelf, 0.03, 0.19, 0.0445)),
+      boxLine("pudding", {0.035, 0.09, 0.089}, at(shelf, 0.03, 0.19, 0.0445)),
       cylinderLine("pitcher", 0.054, 0.1, at(shelf, 0.2, -0.02, above + 0.05))};
   std::string text;
   for (int i = 0; i < count; ++i) text += things.at(static_cast<std::size_t>(i));
@@ -106,13 +104,13 @@ SceneFamily groceryFamily() {
   family.settings = "robot: panda\nedge_step_m: 0.01\ncontact_clearance_m: " + sceneNumber(kClearance_m) +
                     "\nbudget_s: 120\n";
   family.parameters = {
-      {"shelf_gap_m", "height of the compartment", 0.11, 0.3, 0.18, 0.17, 0.15, 0.001},
+      {"shelf_gap_m", "height of the compartment", 0.11, 0.3, 0.17, 0.135, 0.13, 0.001},
       {"goal_depth_m", "from the shelf's front edge to the nearest placement of the can's middle", 0.06, 0.2,
-       0.12, 0.12, 0.17, 0.001},
-      {"neighbour_clearance_m", "from a can in the middle of its gap to each neighbour", 0.03, 0.1, 0.07,
-       0.0575, 0.05, 0.0005},
-      {"neighbour_depth_m", "from the shelf's front edge to the neighbours' fronts", 0.02, 0.18, 0.12, 0.12,
-       0.08, 0.001},
+       0.12, 0.14, 0.15, 0.001},
+      {"neighbour_clearance_m", "from a can in the middle of its gap to each neighbour", 0.035, 0.1, 0.07,
+       0.057, 0.05, 0.001},
+      {"neighbour_depth_m", "from the shelf's front edge to the middles of the neighbours", 0.1, 0.24, 0.2,
+       0.2, 0.18, 0.001},
       {"yaw_room_rad", "turn allowed to each side at the place", 0.02, 1.5, 0.2, 0.2, 0.1, 0.01},
       {"pose_jitter_m", "shelf and post stand up to this off (seeds other than 0)", 0.0, 0.05, 0.03, 0.03,
        0.03, 0.001},

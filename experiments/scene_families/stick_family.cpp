@@ -13,7 +13,7 @@ constexpr double kClearance_m = 0.006;                 ///< contact_clearance_m
 constexpr double kBoard_m = 0.016, kPanel_m = 0.01, kDivider_m = 0.005, kFront_m = 0.012;  ///< thicknesses
 constexpr double kRest_m = 0.02;      ///< height of what the stick lies on
 constexpr double kSideRoom_m = 0.03;  ///< between the stick's end and the rack's side
-constexpr double kBehind_m = 0.14;    ///< from the farthest placement to the wall: half a hand and a bit
+constexpr double kBehind_m = 0.13;    ///< from the farthest placement to the wall: half a hand and a bit
 constexpr double kRim_m = 0.03;       ///< height of bar, dividers and brackets above the slot
 constexpr double kBracketInside_m = 0.038;  ///< of a bracket from the stick's end
 constexpr double kApron_m = 0.1;            ///< of the board in front of the bar
@@ -87,21 +87,21 @@ std::string stickBody(const FamilyValues& values, std::uint64_t seed) {
   const Eigen::Vector3d high = at(rack, kFront_m + values.at("passage_depth_m"), kSlack_m, lie);
   std::string text = "obstacles:\n";
   text += boxLine("floor", {2.4, 2.4, 0.05}, {0.3, 0.0, -0.125}) + pickTable(pick_x, pick_y, pick_z);
-  text += boxBetween("wall", {wall, -0.7, -0.1}, {wall + 0.02, 0.7, 0.8});
   text +=
       "  # The rack on the wall: a slot along its whole width; above it the bar, which is open in the "
       "middle.\n";
   text +=
       boxBetween("board", at(rack, -kApron_m, -half, -kRest_m - kBoard_m), at(rack, depth, half, -kRest_m));
+  text += boxBetween("wall", {wall, -0.7, -0.1}, {wall + 0.02, 0.7, 0.8});
   text += rackSide(rack, -1) + rackSide(rack, 1) + clutter(rack, static_cast<int>(values.at("clutter")));
   text += "object:\n  name: stick\n  shapes: [{cylinder: {radius_m: " + sceneNumber(kRadius_m) +
           ", length_m: " + sceneNumber(kLength_m) +
           "}}]\n  start: {position_m: " + sceneList(Eigen::Vector3d(pick_x, pick_y, pick_z + lie)) +
-          ", rpy_rad: [0, 1.5708, 0]}\n";
+          ", rpy_rad: [0, 1.5707963267948966, 0]}\n";
   text += "grasps:\n  stick: {length_m: " + sceneNumber(kLength_m) + ", radius_m: " + sceneNumber(kRadius_m) +
           ", margin_m: 0.06, finger_depth_m: " + sceneNumber(kRadius_m) + ", pad_clearance_m: 0.002}\n";
   text += "placement:\n  region: {min_m: " + sceneList(low) + ", max_m: " + sceneList(high) +
-          "}\n  yaw_rad: [1.551, 1.591]\n";
+          "}\n  yaw_rad: [1.5508, 1.5908]\n";
   return text;
 }
 

@@ -121,16 +121,6 @@ PlacementSource readPlacement(const YamlValue& placement) {
   return source;
 }
 
-SceneNumbers readNumbers(const YamlValue& numbers) {
-  constexpr int kMost = 1000000;
-  numbers.allowKeys({"grasps_sampled", "grasps_valid_at_pick", "grasps_compatible"});
-  SceneNumbers result;
-  result.grasps_sampled = numbers["grasps_sampled"].integer(0, kMost);
-  result.grasps_valid_at_pick = numbers["grasps_valid_at_pick"].integer(0, result.grasps_sampled);
-  result.grasps_compatible = numbers["grasps_compatible"].integer(0, result.grasps_valid_at_pick);
-  return result;
-}
-
 /// Where a scene comes from is for people and for `b4p generate`; it only has to be well-formed.
 void checkGenerated(const YamlValue& generated) {
   generated.allowKeys({"family", "seed", "difficulty", "parameters"});
@@ -156,7 +146,7 @@ Scene loadScene(const std::string& name_or_path) {
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSceneSchema);
   document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m",
-                      "budget_s", "generated", "obstacles", "object", "grasps", "placement", "numbers"});
+                      "budget_s", "generated", "obstacles", "object", "grasps", "placement"});
   if (const auto generated = document.find("generated")) checkGenerated(*generated);
   Scene scene;
   scene.file = file;
@@ -171,7 +161,6 @@ Scene loadScene(const std::string& name_or_path) {
   readObject(document["object"], scene);
   scene.grasps = readGrasps(document["grasps"], scene.robot.description.max_opening_m);
   scene.placement = readPlacement(document["placement"]);
-  if (const auto numbers = document.find("numbers")) scene.numbers = readNumbers(*numbers);
   return scene;
 }
 

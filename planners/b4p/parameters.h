@@ -17,6 +17,9 @@ struct B4PParameters {
       16;  ///< paper: N_pick, >= 1. Start states of the problem come first; all of them are used.
   unsigned place_roots = 16;  ///< paper: N_place, >= 1
 
+  /// paper: > 0: drop all trees and draw new roots after so many iterations of all workers together; 0: never
+  unsigned restart_iterations = 0;
+
   double range = 0.0;  ///< longest motion added at once; 0: as far as it stays free
 
   unsigned slice =
@@ -24,6 +27,10 @@ struct B4PParameters {
   unsigned root_attempts = 32;  ///< default: placements asked for (Eq. 3) per turn of root drawing, >= 1
   unsigned repair_iterations =
       300;  ///< iterations of local replanning per colliding run before a repair fails, >= 1
+
+  /// Ablations, in both modes. relaxed: trees of different grasps are joined, not only those of equal ones.
+  /// repair: a path that collides after Eq. 3 is repaired, not thrown away.
+  bool relaxed = true, repair = true;
 
   /// Empty when all is in range, otherwise what is not.
   std::string problem() const;

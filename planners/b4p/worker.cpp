@@ -5,7 +5,6 @@
 
 #include "planners/b4p/default_worker.h"
 #include "planners/b4p/paper_worker.h"
-#include "planners/manipulation_state_space.h"
 
 namespace b4p {
 
@@ -15,8 +14,7 @@ namespace og = ompl::geometric;
 Worker::Worker(Search& search, std::uint64_t seed)
     : search_(search),
       motion_(search.si(), search.parameters().range),
-      region_(search.region() != nullptr ? search.region()->makeContext(seed) : nullptr),
-      root_(search.si()->allocState(), [si = search.si()](ob::State* state) { si->freeState(state); }) {}
+      drawer_(search.si(), search.region(), seed) {}
 
 void Worker::step() {
   if (search_.finished()) return;
@@ -28,24 +26,24 @@ void Worker::step() {
 }
 
 void Worker::helpRepair(const std::shared_ptr<PathRepair>& repair) {
-  const PathRepair::Status status = repair->step(motion_);
-  if (status == PathRepair::Status::kRunning || !search_.retire(repair)) return;
-  if (status == PathRepair::Status::kFailed) return salvage(*repair);
+  const auto attempt = repair->replan(motion_);
+  if (!attempt) return endRepair(repair);
+  share(search_.log(), [this, repair, attempt = *attempt] {
+    if (repair->accept(attempt) != PathRepair::Status::kRunning) endRepair(repair);
+  });
+}
+
+void Worker::endRepair(const std::shared_ptr<PathRepair>& repair) {
+  if (!search_.retire(repair)) return;
+  if (repair->status() == PathRepair::Status::kFailed) return salvage(*repair);
   countOne(search_.statistics().repairs_succeeded);
   search_.publish(repair->repaired());
 }
 
-GraspId Worker::drawPick() {
-  auto* state = root()->as<ManipulationStateSpace::StateType>();
-  if (!region().samplePick(state->q, state->grasp)) return kNoGrasp;
-  search_.plant(Side::kPick, state, state->grasp);
-  return state->grasp;
-}
-
-bool Worker::derivePlaceRoot(PlacementId placement, GraspId grasp) {
-  auto* state = root()->as<ManipulationStateSpace::StateType>();
-  state->grasp = grasp;
-  return region().placeRoot(placement, grasp, state->q);
+Worker::Pick Worker::drawPick() {
+  const GraspId grasp = drawer_.drawPick();
+  if (grasp == kNoGrasp) return {};
+  return {grasp, search_.plant(Side::kPick, root(), grasp) != nullptr};
 }
 
 void Worker::repair(const Junction& junction, const ob::State* place_root) {
@@ -53,13 +51,18 @@ void Worker::repair(const Junction& junction, const ob::State* place_root) {
   ob::State* end = joined.path.getStates().back();
   search_.si()->copyState(end, place_root);
   motion_.grasps().set(end, junction.pick->tree->grasp);
-  search_.submit(std::make_shared<PathRepair>(search_.si(), std::move(joined.path), junction, joined.junction,
-                                              search_.parameters().repair_iterations, motion_));
+  auto repair = std::make_shared<PathRepair>(search_.si(), std::move(joined.path), junction, joined.junction,
+                                             search_.parameters().repair_iterations, motion_, search_.log());
+  if (search_.parameters().repair) return search_.submit(std::move(repair));
+  if (repair->status() != PathRepair::Status::kSucceeded) return discard(junction);
+  search_.publish(repair->repaired());
 }
 
 std::unique_ptr<Worker> makeWorker(Search& search, std::uint64_t seed) {
   if (search.parameters().paper) return std::make_unique<PaperWorker>(search, seed);
   return std::make_unique<DefaultWorker>(search, seed);
 }
+
+std::unique_ptr<ParallelWorker> Search::newWorker(std::uint64_t seed) { return makeWorker(*this, seed); }
 
 }  // namespace b4p
