@@ -34,6 +34,7 @@ int runCommandLine(int argc, char** argv) {
   addBenchCommand(app, run);
   addSimulateCommand(app, run);
   addVerifyCommand(app, run);
+  addGenerateCommand(app, run);
   addCertifyCommand(app, run);
   try {
     app.parse(argc, argv);

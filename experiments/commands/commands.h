@@ -25,6 +25,7 @@ void addPlanCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
 void addSimulateCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
+void addGenerateCommand(CLI::App& app, Run& run);
 void addCertifyCommand(CLI::App& app, Run& run);
 
 }  // namespace b4p

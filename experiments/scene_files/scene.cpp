@@ -2,6 +2,7 @@
 #include "experiments/scene.h"
 
 #include <cmath>
+#include <limits>
 
 #include "experiments/scene_files/data_files.h"
 #include "experiments/scene_files/shape_reader.h"
@@ -120,6 +121,15 @@ PlacementSource readPlacement(const YamlValue& placement) {
   return source;
 }
 
+/// Where a scene comes from is for people and for `b4p generate`; it only has to be well-formed.
+void checkGenerated(const YamlValue& generated) {
+  generated.allowKeys({"family", "seed", "difficulty", "parameters"});
+  generated["family"].word();
+  generated["seed"].integer(0, std::numeric_limits<int>::max());
+  generated["difficulty"].number(0.0, 1.0);
+  for (const auto& [name, value] : generated["parameters"].entries()) value.number();
+}
+
 void readSettings(const YamlValue& document, Scene& scene) {
   scene.edge_step_m = document["edge_step_m"].number(kFinestStep_m, kCoarsestStep_m);
   const YamlValue clearance = document["contact_clearance_m"];
@@ -136,7 +146,8 @@ Scene loadScene(const std::string& name_or_path) {
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSceneSchema);
   document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m",
-                      "budget_s", "obstacles", "object", "grasps", "placement"});
+                      "budget_s", "generated", "obstacles", "object", "grasps", "placement"});
+  if (const auto generated = document.find("generated")) checkGenerated(*generated);
   Scene scene;
   scene.file = file;
   scene.name = document["name"].word();

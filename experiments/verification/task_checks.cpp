@@ -64,8 +64,7 @@ std::string boxGraspProblem(const GraspSource& source, const Grasp& grasp) {
 std::string stickGraspProblem(const GraspSource& source, const Grasp& grasp) {
   const Vector3d closing = grasp.X_OT.linear().col(1), approach = grasp.X_OT.linear().col(2);
   const Vector3d p_OT = grasp.X_OT.translation();
-  if (std::abs(closing.z()) > kGraspTolerance)
-    return "grasp: the pads do not close across the stick";
+  if (std::abs(closing.z()) > kGraspTolerance) return "grasp: the pads do not close across the stick";
   if (std::abs(approach.z()) > kGraspTolerance) return "grasp: the hand does not stand across the stick";
   const double past_end_m = std::abs(p_OT.z()) - (source.stick_length_m / 2.0 - source.margin_m);
   if (past_end_m > kGraspTolerance)
@@ -206,9 +205,12 @@ std::string graspProblem(const Scene& scene, const PlanResult& result, const Kin
       return "grasp: joint '" + name + "' at " + text(value) + " is outside its limits";
   }
   switch (scene.grasps.family) {
-    case GraspFamily::kBox: return boxGraspProblem(scene.grasps, grasp);
-    case GraspFamily::kStick: return stickGraspProblem(scene.grasps, grasp);
-    case GraspFamily::kPolygonEdges: return edgeGraspProblem(scene.grasps, result);
+    case GraspFamily::kBox:
+      return boxGraspProblem(scene.grasps, grasp);
+    case GraspFamily::kStick:
+      return stickGraspProblem(scene.grasps, grasp);
+    case GraspFamily::kPolygonEdges:
+      return edgeGraspProblem(scene.grasps, result);
   }
   return "grasp: of no known family";
 }

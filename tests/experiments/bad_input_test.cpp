@@ -121,6 +121,30 @@ TEST(BadInput, UnreachableRegion) {
                      "easy.yaml", "placement.region");
 }
 
+TEST(BadInput, InstancesThatNoFamilyHas) {
+  const TemporaryFolder folder;
+  const std::string out = " --out " + folder / "scene.yaml";
+  for (const auto& [arguments, culprit] : std::vector<std::pair<std::string, std::string>>{
+           {"generate" + out, "FAMILY"},
+           {"generate stick", "--out"},
+           {"generate labyrinth" + out, "maze, stick, grocery"},
+           {"generate stick --set gap_width_m=9" + out, "gap_width_m: has to be from 0.075 to 0.3"},
+           {"generate stick --set gap_width_m=wide" + out, "gap_width_m"},
+           {"generate stick --set gap_width_m=0.1 --set gap_width_m=0.2" + out, "gap_width_m"},
+           {"generate stick --set gap=1" + out, "gap"},
+           {"generate stick --set 0.1" + out, "--set"},
+           {"generate stick --difficulty 2" + out, "--difficulty"},
+           {"generate stick --name 'a stick'" + out, "--name"},
+           {"generate stick --seed -1" + out, "--seed"},
+           {"generate stick --out /nowhere/scene.yaml", "/nowhere/scene.yaml"}}) {
+    const CommandRun run = runB4p(arguments);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(run.errorLines(), 1) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(culprit));
+    EXPECT_TRUE(folder.files().empty()) << arguments;
+  }
+}
+
 TEST(BadInput, OptionsOutOfRange) {
   const SceneCopy copy;
   const auto before = copy.folder().files();

@@ -25,7 +25,7 @@ std::string withoutTimings(const std::string& json) {
 TEST(Command, ListNamesScenesAndPlanners) {
   const CommandRun run = runB4p("list");
   EXPECT_EQ(run.exit_code, 0);
-  for (const char* name : {"maze", "grocery", "b4p", "b4p-paper", "rrtconnect", "repair_iterations"})
+  for (const char* name : {"maze", "stick", "grocery", "b4p", "b4p-paper", "rrtconnect", "repair_iterations"})
     EXPECT_THAT(run.out, HasSubstr(name));
 }
 
@@ -64,6 +64,27 @@ TEST(Command, OneThreadAndOneSeedGiveTheSameBytes) {
     EXPECT_EQ(plan(planner, 3), plan(planner, 3)) << planner;
     EXPECT_NE(plan(planner, 3), plan(planner, 4)) << planner;
   }
+}
+
+TEST(Command, GenerateWritesAnInstanceThatPlanReads) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "easy_maze.yaml";
+  const CommandRun run =
+      runB4p("generate maze --seed 3 --difficulty 0 --set passages=1 --name easy_maze --out " + file);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const char* part : {"family: maze", "seed: 3", "difficulty: 0", "passages: 1", "name: easy_maze"})
+    EXPECT_THAT(readFile(file), HasSubstr(part));
+  const std::string result = folder / "r.json";
+  const int planned = runB4p("plan " + file + " --time-limit-s 0.2 --out " + result).exit_code;
+  EXPECT_TRUE(planned == 0 || planned == 1) << planned;
+  EXPECT_EQ(readResult(result).scene, file);
+}
+
+TEST(Command, GenerateListsParametersWithTheirRanges) {
+  const CommandRun run = runB4p("generate --list");
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* part : {"maze", "stick", "grocery", "gap_width_m: ", "0.075 ... 0.3", "(count)"})
+    EXPECT_THAT(run.out, HasSubstr(part));
 }
 
 TEST(Command, ForestsHoldBothSides) {

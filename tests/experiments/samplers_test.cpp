@@ -51,6 +51,48 @@ TEST(BoxGrasps, RefuseABoxThatFitsNowhere) {
   EXPECT_THROW(BoxGraspSampler({0.1, 0.1, 0.1}, 0.03, 0.002, 0.08), std::invalid_argument);
 }
 
+TEST(StickGrasps, StandAcrossTheStickWithItsAxisBetweenThePads) {
+  const StickGrasps stick{0.6, 0.0125, 0.05, 0.015, 0.002};
+  const StickGraspSampler sampler(stick, 0.08);
+  std::mt19937_64 random(1);
+  for (int draw = 0; draw < 2000; ++draw) {
+    const Grasp grasp = sampler.sample(random);
+    const Eigen::Matrix3d R = grasp.X_OT.linear();
+    const Eigen::Vector3d p = grasp.X_OT.translation();
+    EXPECT_NEAR(R.determinant(), 1.0, 1e-9);
+    EXPECT_NEAR(R(2, 1), 0.0, 1e-12) << "the pads close across the stick";
+    EXPECT_NEAR(R(2, 2), 0.0, 1e-12) << "the hand stands across the stick";
+    EXPECT_NEAR(p.dot(R.col(1)), 0.0, 1e-12) << "both pads are as far from the axis";
+    EXPECT_NEAR(p.dot(R.col(2)), 0.015 - 0.0125, 1e-12) << "the finger depth, from the near side";
+    EXPECT_LE(std::abs(p.z()), 0.6 / 2.0 - 0.05);
+    EXPECT_NEAR(grasp.opening_m, 2.0 * (0.0125 + 0.002), 1e-12);
+  }
+}
+
+TEST(StickGrasps, AreUniformAlongAndAroundTheStick) {
+  const StickGraspSampler sampler({0.6, 0.0125, 0.05, 0.0125, 0.002}, 0.08);
+  std::mt19937_64 random(2);
+  constexpr int kDraws = 8000, kBins = 8;
+  std::vector<int> along(kBins), around(kBins), sides(2);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const Eigen::Isometry3d X_OT = sampler.sample(random).X_OT;
+    const double angle = std::atan2(X_OT(1, 2), X_OT(0, 2));
+    ++along.at(static_cast<std::size_t>((X_OT(2, 3) + 0.25) / 0.5 * kBins));
+    ++around.at(static_cast<std::size_t>((angle / 3.14159265358979 + 1.0) / 2.0 * kBins * (1.0 - 1e-12)));
+    ++sides.at(X_OT(2, 0) > 0.0 ? 1 : 0);
+  }
+  // Five standard deviations of a bin's count, which is binomial.
+  for (const std::vector<int>& bins : {along, around})
+    for (const int count : bins) EXPECT_NEAR(count, kDraws / kBins, 150);
+  EXPECT_NEAR(sides[0], kDraws / 2, 225) << "either pad is on either side";
+}
+
+TEST(StickGrasps, RefuseAStickThatDoesNotFit) {
+  EXPECT_THROW(StickGraspSampler({0.6, 0.04, 0.05, 0.0125, 0.002}, 0.08), std::invalid_argument);
+  EXPECT_THROW(StickGraspSampler({0.6, 0.0125, 0.31, 0.0125, 0.002}, 0.08), std::invalid_argument);
+  EXPECT_THROW(StickGraspSampler({0.6, 0.0125, 0.05, 0.03, 0.002}, 0.08), std::invalid_argument);
+}
+
 class Placements : public ::testing::Test {
  protected:
   static PlacementSource source() {

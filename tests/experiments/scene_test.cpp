@@ -47,6 +47,7 @@ TEST(Scene, ReadsAllOfTheFile) {
 
 TEST(Scene, ShippedScenesLoad) {
   EXPECT_THAT(sceneNames(), Contains("maze"));
+  EXPECT_THAT(sceneNames(), Contains("stick"));
   EXPECT_THAT(sceneNames(), Contains("grocery"));
   for (const std::string& name : sceneNames()) EXPECT_EQ(loadScene(name).name, name);
 }
@@ -69,6 +70,28 @@ TEST(Scene, RefusesPolygonsThatAreNotSimpleAndCounterClockwise) {
   EXPECT_THAT(refusal({{polygon, "[[-0.1, -0.1], [0.1, 0.1], [0.1, -0.1], [-0.1, 0.1]]"}}),
               HasSubstr("cross"));
   EXPECT_THAT(refusal({{polygon, "[[-0.1, -0.1], [0.1, -0.1]]"}}), HasSubstr("corners"));
+}
+
+TEST(Scene, ReadsGraspsOfAStickAndRefusesThoseThatCannotBe) {
+  const std::string edges =
+      "polygon_edges: {polygon_m: [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]], clearance_m: 0.03}";
+  const auto stick = [](const std::string& changed_from, const std::string& changed_to) {
+    return replaced(
+        "stick: {length_m: 0.6, radius_m: 0.01, margin_m: 0.05, finger_depth_m: 0.012, pad_clearance_m: 0}",
+        changed_from, changed_to);
+  };
+  // The test's robot has no fingers to hold a stick with.
+  EXPECT_THAT(refusal({{edges, stick("stick", "stick")}}), HasSubstr("stick.radius_m"));
+  EXPECT_THAT(refusal({{edges, stick("margin_m: 0.05", "margin_m: 0.4")}}), HasSubstr("stick.margin_m"));
+  EXPECT_THAT(refusal({{edges, stick("0.012", "0.03")}}), HasSubstr("stick.finger_depth_m"));
+  EXPECT_THAT(refusal({{edges, stick("length_m: 0.6", "length_m: 0")}}), HasSubstr("stick.length_m"));
+  EXPECT_THAT(refusal({{edges, stick("length_m", "long_m")}}), HasSubstr("long_m"));
+  EXPECT_THAT(refusal({{edges, edges + "\n  " + stick("stick", "stick")}}), HasSubstr("exactly one"));
+  const GraspSource grasps = loadScene("stick").grasps;
+  EXPECT_EQ(grasps.family, GraspFamily::kStick);
+  EXPECT_EQ(grasps.stick_length_m, 0.6);
+  EXPECT_EQ(grasps.stick_radius_m, 0.0125);
+  EXPECT_EQ(grasps.margin_m, 0.06);
 }
 
 TEST(Scene, RefusesRegionsStepsAndNamesThatAreNone) {

@@ -301,6 +301,64 @@ TEST_F(VerifierTest, SceneThatCannotBeUsedIsAnInputError) {
   EXPECT_THROW(verify(scene_, result_), InputError);
 }
 
+/// A stick along x in place of the can, held from above.
+class StickGraspTest : public VerifierTest {
+ protected:
+  StickGraspTest() {
+    // The z axis of the stick lies along x of the can it stands for.
+    const Eigen::Matrix3d lying = Eigen::AngleAxisd(kHalfPi, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    scene_.object = {{Cylinder{0.03, 0.4}, Eigen::Isometry3d::Identity()}};
+    scene_.grasps = {};
+    scene_.grasps.family = GraspFamily::kStick;
+    scene_.grasps.stick_length_m = 0.4;
+    scene_.grasps.stick_radius_m = 0.03;
+    scene_.grasps.margin_m = 0.05;
+    scene_.grasps.finger_depth_m = 0.03;
+    scene_.grasps.pad_clearance_m = 0.002;
+    scene_.placement.upright = false;
+    scene_.X_WO_start.linear() = lying;
+    result_.grasp.X_OT = Eigen::Isometry3d(lying.transpose()) * result_.grasp.X_OT;
+    result_.X_WO_pick.linear() = lying;
+    result_.X_WO_place.linear() = result_.X_WO_place.linear() * lying;
+  }
+
+  static constexpr double kHalfPi = 1.57079632679489662;
+};
+
+TEST_F(StickGraspTest, AGoodPathPasses) { expectPasses(); }
+
+TEST_F(StickGraspTest, PadsThatCloseAlongTheStick) {
+  const Eigen::Matrix3d R = result_.grasp.X_OT.linear();
+  result_.grasp.X_OT.linear() = R * Eigen::AngleAxisd(kHalfPi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  expectFails("grasp: the pads do not close across the stick");
+}
+
+TEST_F(StickGraspTest, HandThatLeansAlongTheStick) {
+  const Eigen::Matrix3d R = result_.grasp.X_OT.linear();
+  result_.grasp.X_OT.linear() = R * Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  expectFails("grasp: the hand does not stand across the stick");
+}
+
+TEST_F(StickGraspTest, TooNearTheEnd) {
+  result_.grasp.X_OT.translation().z() = 0.151;
+  expectFails(HasSubstr("past the margin"));
+}
+
+TEST_F(StickGraspTest, PadInsideTheStickOrStickOutsideThePads) {
+  const Eigen::Isometry3d good = result_.grasp.X_OT;
+  result_.grasp.X_OT.translation() += 0.003 * good.linear().col(1);
+  expectFails(HasSubstr("a pad lies inside the stick"));
+  result_.grasp.X_OT.translation() = good.translation() - 0.05 * good.linear().col(2);
+  expectFails("grasp: the stick is not between the pads");
+}
+
+TEST_F(StickGraspTest, OpeningThatDoesNotHoldIt) {
+  result_.grasp.opening_m = 0.059;
+  expectFails(HasSubstr("less than the stick is thick"));
+  result_.grasp.opening_m = 0.07;
+  expectFails(HasSubstr("does not hold the stick"));
+}
+
 /// A triangle pushed about by a disc whose front is the TCP.
 class EdgeGraspTest : public VerifierTest {
  protected:
