@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <random>
 
@@ -69,6 +70,13 @@ PlanResult planWithOneGrasp(Problem& problem, const std::vector<std::vector<doub
   }
 
   og::RRTConnect planner(problem.si);
+  // OMPL's own step is a fifth of the space's extent, the distance between grasps included: too long for narrow passages.
+  constexpr double kStepsAcross = 25.0;
+  const auto& bounds = problem.space->bounds();
+  double extent = 0.0;
+  for (std::size_t i = 0; i < bounds.low.size(); ++i)
+    extent = std::hypot(extent, bounds.high[i] - bounds.low[i]);
+  planner.setRange(extent / kStepsAcross);
   planner.setProblemDefinition(problem.pdef);
   planner.setup();
   const double begin_s = threadSeconds();
