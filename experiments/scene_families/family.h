@@ -34,7 +34,7 @@ struct SceneFamily {
   std::string description;
   std::vector<FamilyParameter> parameters;
   /// The text below the header: obstacles, object, grasps, placement. Same values and seed, same bytes.
-  std::string (*body)(const FamilyValues& values, std::uint64_t seed);
+  std::string (*body)(const FamilyValues& values, std::uint64_t seed) = nullptr;
   /// Robot and settings that all instances share, as lines of the scene file.
   std::string settings;
 };
