@@ -16,6 +16,8 @@ constexpr double kRotationWeight_m = 0.3;
 /// Damping: this share of the squared error, and a little more that keeps singular postures solvable.
 constexpr double kDampingShare = 0.1;
 constexpr double kLeastDamping = 1e-8;
+/// Farther away the damping grows no more, or joints that slide far would hardly move.
+constexpr double kMostSquaredError_m2 = 1.0;
 /// An attempt is given up when this many iterations did not reduce the squared error to this share of it.
 constexpr int kPatience = 4;
 constexpr double kProgress = 0.5;
@@ -80,7 +82,7 @@ class DampedInverseKinematics : public InverseKinematics {
     for (int i = 0; i < q.size(); ++i)
       if (limits().blocks(i, q[i], jacobian_.col(i).dot(error))) jacobian_.col(i).setZero();
     Matrix6d A = jacobian_.lazyProduct(jacobian_.transpose());
-    A.diagonal().array() += kDampingShare * squared_error + kLeastDamping;
+    A.diagonal().array() += kDampingShare * std::min(squared_error, kMostSquaredError_m2) + kLeastDamping;
     step_.noalias() = jacobian_.transpose() * A.llt().solve(error);
     for (int i = 0; i < q.size(); ++i) q[i] = limits().bringInside(i, q[i] + step_[i]);
   }
