@@ -26,22 +26,34 @@ void addBox(Outline& points, const Vector2d& front, const Vector2d& ahead, const
     for (const double side : {-0.5, 0.5}) points.push_back(front - back * ahead + side * size.y() * left);
 }
 
-/// The least width over directions a fifth of a degree apart; too large by less than a part in 10^5.
-double leastWidth(const Outline& points) {
-  constexpr int kDirections = 900;
-  double least = std::numeric_limits<double>::max();
-  for (int i = 0; i < kDirections; ++i) {
-    const double angle = kPi * i / kDirections;
-    const Vector2d direction(std::cos(angle), std::sin(angle));
-    double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-    for (const Vector2d& point : points) {
-      low = std::min(low, direction.dot(point));
-      high = std::max(high, direction.dot(point));
+/// How far points reach in directions a fifth of a degree apart, which is enough for widths to a part in
+/// 10^5.
+class Reach {
+ public:
+  Reach() : low_(kDirections, std::numeric_limits<double>::max()), high_(kDirections, -low_[0]) {}
+
+  void add(const Outline& points) {
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const double angle = kPi * static_cast<double>(i) / kDirections;
+      const Vector2d direction(std::cos(angle), std::sin(angle));
+      for (const Vector2d& point : points) {
+        const double along = direction.dot(point);
+        low_[i] = std::min(low_[i], along);
+        high_[i] = std::max(high_[i], along);
+      }
     }
-    least = std::min(least, high - low);
   }
-  return least;
-}
+
+  double leastWidth() const {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < kDirections; ++i) least = std::min(least, high_[i] - low_[i]);
+    return least;
+  }
+
+ private:
+  static constexpr std::size_t kDirections = 900;
+  std::vector<double> low_, high_;
+};
 
 Outline oneDraw(Jitter& jitter) {
   constexpr int kCorners = 21;
@@ -90,16 +102,20 @@ Outline drawnOutline(Jitter& jitter) {
 }
 
 std::vector<double> graspWidths(const Outline& outline, double clearance_m) {
+  Reach object;
+  object.add(outline);
   std::vector<double> widths;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vector2d& a = outline[i];
     const Vector2d& b = outline[(i + 1) % outline.size()];
     const Vector2d along = (b - a).normalized(), inward(-along.y(), along.x());
     const Vector2d tcp = (a + b) / 2.0 - clearance_m * inward;
-    Outline points = outline;
-    addBox(points, tcp, inward, kBar_m, 0.0);
-    addBox(points, tcp, inward, kBody_m, kBar_m.x());
-    widths.push_back(leastWidth(points));
+    Outline robot;
+    addBox(robot, tcp, inward, kBar_m, 0.0);
+    addBox(robot, tcp, inward, kBody_m, kBar_m.x());
+    Reach both = object;
+    both.add(robot);
+    widths.push_back(both.leastWidth());
   }
   return widths;
 }
