@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "experiments/interrupt.h"
-#include "planners/b4p/b4p_planner.h"
+#include "planners/parallel_planner.h"
 
 namespace b4p {
 
@@ -16,8 +16,8 @@ namespace {
 
 /// Why a planner says that it crashed, having caught the exception by itself.
 std::string ownAccount(const ob::Planner& planner) {
-  const auto* b4p = dynamic_cast<const B4P*>(&planner);
-  return b4p == nullptr || b4p->lastError().empty() ? "the planner gives no reason" : b4p->lastError();
+  const auto* own = dynamic_cast<const ParallelPlanner*>(&planner);
+  return own == nullptr || own->lastError().empty() ? "the planner gives no reason" : own->lastError();
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ class DeadlinePlanner : public ompl::base::Planner {
 
   /// How long the last solve() took (s).
   double elapsed_s() const { return elapsed_s_; }
-  /// Why the last solve() ended as CRASH: what was thrown, or what B4P says that it caught. "" otherwise.
+  /// Why the last solve() ended as CRASH: what was thrown, or what a ParallelPlanner says that it caught. ""
+  /// otherwise.
   const std::string& crash() const { return crash_; }
 
  private:

@@ -10,6 +10,9 @@
 #include <ompl/util/Exception.h>
 
 #include "planners/b4p/b4p_planner.h"
+#include "planners/baselines/rrt_individual.h"
+#include "planners/baselines/rrt_restart.h"
+#include "planners/baselines/rrt_shared.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -29,6 +32,11 @@ ob::PlannerPtr makePaperB4P(const ob::SpaceInformationPtr& si) {
   planner->params().setParam("paper", "1");
   planner->setName("B4P-paper");
   return planner;
+}
+
+template <class Planner>
+ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
+  return std::make_shared<Planner>(si);
 }
 
 /// Whether the planner takes the value and holds it afterwards. OMPL's own parsing takes "12abc" for 12 and
@@ -56,13 +64,25 @@ PlannerCatalogue PlannerCatalogue::standard() {
   catalogue.add({"b4p",
                  "B4P, default search: roots without limit, every grasp served in turn, connections across "
                  "grasps repaired",
-                 0, [](const ob::SpaceInformationPtr& si) { return std::make_shared<B4P>(si); }});
+                 0, make<B4P>});
   catalogue.add({"b4p-paper", "B4P as printed: a fixed number of roots, one forest per side for all grasps",
                  0, makePaperB4P});
   catalogue.add(
-      {"rrtconnect", "OMPL's RRTConnect on joints x grasp, all picks as starts, placements as goals",
-       kManyStarts,
-       [](const ob::SpaceInformationPtr& si) { return std::make_shared<ompl::geometric::RRTConnect>(si); }});
+      {"rrt-individual",
+       "the paper's baseline: each thread a bidirectional RRT with one grasp and one placement of its "
+       "own, never changed",
+       0, make<RRTIndividual>});
+  catalogue.add({"rrt-shared",
+                 "the paper's baseline: all threads one bidirectional RRT with one grasp and one placement, "
+                 "restarted with another grasp after a time limit",
+                 0, make<RRTShared>});
+  catalogue.add(
+      {"rrt-restart",
+       "a race of RRT-Connects over pairs of grasp and placement, in slices that grow; none is dropped", 0,
+       make<RRTRestart>});
+  catalogue.add({"rrtconnect",
+                 "OMPL's RRTConnect on joints x grasp, all picks as starts, placements as goals", kManyStarts,
+                 make<ompl::geometric::RRTConnect>});
   return catalogue;
 }
 
@@ -75,16 +95,25 @@ const PlannerKind& PlannerCatalogue::find(const std::string& name, const std::st
   throw InputError(where, "", "no planner is called '" + name + "'; there are: " + known);
 }
 
-std::string parameterMeaning(const std::string& name) {
+std::string parameterMeaning(const ob::Planner& planner, const std::string& name) {
+  if (dynamic_cast<const ParallelPlanner*>(&planner) == nullptr) return "";
   static const std::map<std::string, std::string> meanings{
       {kThreads, "parallel workers (count); set by --threads"},
       {kPaper, "1: the algorithm as printed; set by the planner's name"},
       {"pick_roots", "b4p-paper: pick trees (count)"},
       {"place_roots", "b4p-paper: place trees (count)"},
       {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
-      {"slice", "b4p: turns of growth (iterations) of a grasp before another has its own"},
-      {"root_attempts", "b4p: placements tried per turn of root drawing (count)"},
-      {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"}};
+      {"slice",
+       "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},
+      {"root_attempts",
+       "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},
+      {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"},
+      {"placement_attempts", "placements without a place root after which a grasp is given up (count)"},
+      {"redraw", "0: a grasp without a place root is kept; 1: given up after placement_attempts"},
+      {"restart_s", "time after which the trees are dropped for another grasp (s)"},
+      {"restart_iterations",
+       "> 0: drops all trees after so many steps of all threads (iterations); b4p: paper mode only"},
+      {"growth", "each slice is so many times the one before (factor)"}};
   const auto found = meanings.find(name);
   return found == meanings.end() ? "" : found->second;
 }

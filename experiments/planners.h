@@ -24,7 +24,7 @@ using PlannerParameters = std::map<std::string, std::string>;
 /// The planners there are, in the order they are listed.
 class PlannerCatalogue {
  public:
-  /// b4p, b4p-paper, rrtconnect.
+  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect.
   static PlannerCatalogue standard();
 
   void add(PlannerKind kind) { kinds_.push_back(std::move(kind)); }
@@ -38,8 +38,8 @@ class PlannerCatalogue {
   std::vector<PlannerKind> kinds_;
 };
 
-/// What a parameter of B4P means, with its unit; "" for others.
-std::string parameterMeaning(const std::string& name);
+/// What a parameter of one of this package's planners means, with its unit; "" for those of others.
+std::string parameterMeaning(const ompl::base::Planner& planner, const std::string& name);
 
 /// Makes a planner and sets its parameters.
 /// @param threads  >= 1; the planner's parameter `threads` where it has one

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "robots/joint_limits.h"
 #include "robots/manipulator.h"
 
 namespace b4p {
@@ -40,16 +41,35 @@ class InverseKinematics {
   const IkTolerance& tolerance() const { return tolerance_; }
 
  protected:
-  /// The solver's own attempt; its answer need not respect limits or tolerance.
+  /// The solver's own attempt; `q` has dof() values. Its answer need not respect limits or tolerance.
   virtual bool attempt(const Eigen::Isometry3d& X_WT, const Eigen::VectorXd& seed, Eigen::VectorXd& q) = 0;
+
+  /// The seed of attempt 0, 1, ... of one solve(). `seed` holds the one before.
+  virtual void drawSeed(std::mt19937_64& random, int attempt, Eigen::VectorXd& seed);
+
+  /// Brings `q` inside the limits; true when it is then an answer.
+  bool accept(const Eigen::Isometry3d& X_WT, Eigen::VectorXd& q) const;
+
+  const JointLimits& limits() const { return limits_; }
 
  private:
   std::shared_ptr<const Manipulator> robot_;
   IkTolerance tolerance_;
+  JointLimits limits_;
+  Eigen::VectorXd seed_;
 };
 
 /// The reference: KDL's Levenberg-Marquardt solver (ChainIkSolverPos_LMA) on a chain of its own.
 std::unique_ptr<InverseKinematics> makeKdlInverseKinematics(std::shared_ptr<const Manipulator> robot,
                                                             IkTolerance tolerance = {});
+
+/// Damped least squares that stay inside the limits, for any robot.
+std::unique_ptr<InverseKinematics> makeDampedInverseKinematics(std::shared_ptr<const Manipulator> robot,
+                                                               IkTolerance tolerance = {});
+
+/// The fastest there is for the robot: the analytic one (panda_inverse_kinematics.h) for a Panda, whatever
+/// its base and its tool, else damped least squares.
+std::unique_ptr<InverseKinematics> makeInverseKinematics(std::shared_ptr<const Manipulator> robot,
+                                                         IkTolerance tolerance = {});
 
 }  // namespace b4p

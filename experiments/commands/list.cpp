@@ -8,7 +8,6 @@
 #include "experiments/commands/commands.h"
 #include "experiments/planners.h"
 #include "experiments/scene.h"
-#include "planners/b4p/b4p_planner.h"
 
 namespace b4p {
 namespace {
@@ -40,7 +39,7 @@ void listPlanners() {
     for (const auto& [name, parameter] : planner->params().getParams()) {
       std::cout << "    " << name << ": " << parameter->getValue();
       if (!parameter->getRangeSuggestion().empty()) std::cout << ", " << parameter->getRangeSuggestion();
-      const std::string meaning = dynamic_cast<const B4P*>(planner.get()) ? parameterMeaning(name) : "";
+      const std::string meaning = parameterMeaning(*planner, name);
       std::cout << (meaning.empty() ? "" : "; ") << meaning << "\n";
     }
   }

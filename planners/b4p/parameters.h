@@ -17,6 +17,9 @@ struct B4PParameters {
       16;  ///< paper: N_pick, >= 1. Start states of the problem come first; all of them are used.
   unsigned place_roots = 16;  ///< paper: N_place, >= 1
 
+  /// paper: > 0: drop all trees and draw new roots after so many iterations of all workers together; 0: never
+  unsigned restart_iterations = 0;
+
   double range = 0.0;  ///< longest motion added at once; 0: as far as it stays free
 
   unsigned slice =

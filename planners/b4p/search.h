@@ -7,37 +7,38 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
-
-#include <ompl/base/Planner.h>
-#include <ompl/base/goals/GoalSampleableRegion.h>
-#include <ompl/geometric/PathGeometric.h>
 
 #include "planners/b4p/connection_memory.h"
 #include "planners/b4p/forest.h"
 #include "planners/b4p/parameters.h"
 #include "planners/b4p/path_repair.h"
 #include "planners/b4p/schedule.h"
-#include "planners/b4p/statistics.h"
+#include "planners/parallel_search.h"
 
 namespace b4p {
 
-/// Everything the workers of one query share. Any thread may call anything.
-class Search {
+/// Everything the workers of one query of B4P share. Any thread may call anything.
+class Search : public ParallelSearch {
  public:
-  /// @param goal    where the query ends; not null
-  /// @param region  the pick-and-place problem behind the goal, or nullptr on a plain OMPL problem
-  /// @param inputs      start and goal states of the problem
-  /// @param statistics  counts what is done
-  Search(ompl::base::SpaceInformationPtr si, const B4PParameters& parameters,
-         const ompl::base::GoalSampleableRegion* goal, const PickPlaceRegion* region,
-         ompl::base::PlannerInputStates& inputs, Statistics& statistics);
+  Search(const SearchProblem& problem, const B4PParameters& parameters)
+      : ParallelSearch(problem),
+        parameters_(parameters),
+        iterations_before_(problem.statistics.iterations),
+        everywhere_{NodeIndex(grasps().distance()), NodeIndex(grasps().distance())} {}
 
-  const ompl::base::SpaceInformationPtr& si() const { return si_; }
+  std::unique_ptr<ParallelWorker> newWorker(std::uint64_t seed) override;
+
+  bool addRoot(Side side, const ompl::base::State* root, GraspId grasp) override {
+    return plant(side, root, grasp) != nullptr;
+  }
+
+  /// Paper mode: after `restart_iterations` of all workers together.
+  bool expired() const override {
+    return parameters_.paper && parameters_.restart_iterations > 0 &&
+           statistics().iterations - iterations_before_ >= parameters_.restart_iterations;
+  }
+
   const B4PParameters& parameters() const { return parameters_; }
-  const PickPlaceRegion* region() const { return region_; }
-  const GraspAccess& grasps() const { return grasps_; }
-  Statistics& statistics() { return statistics_; }
   Schedule& schedule() { return schedule_; }
   ConnectionMemory& memory() { return memory_; }
 
@@ -52,29 +53,13 @@ class Search {
   /// apart), or a value is not finite.
   Tree* plant(Side side, const ompl::base::State* root, GraspId grasp, PlacementId placement = kNoPlacement);
 
-  std::size_t rootCount(Side side) const { return roots_[index(side)]; }
-
   /// How many roots have been offered to plant(), those that were there already included.
   std::size_t rootsOffered(Side side) const { return offered_[index(side)]; }
-
-  /// Takes the next goal of a plain OMPL problem as a root. False when there is none now.
-  bool plantGoal();
 
   /// Nearest node of a side over the forests of all grasps; nullptr while there is none.
   const Node* nearestAnywhere(Side side, const ompl::base::State* state) const {
     return everywhere_[index(side)].nearest(state);
   }
-
-  /// True when the problem accepts a path between the roots of these nodes.
-  bool rootsMatch(const Junction& junction) const;
-
-  /// A finished path, or the one through a junction of two trees of one grasp. The first one ends the search.
-  void publish(const Junction& junction);
-  void publish(const ompl::geometric::PathGeometric& path);
-  std::optional<ompl::geometric::PathGeometric> takeSolution();
-  /// Junctions published so far.
-  std::vector<Junction> connections() const;
-  bool finished() const { return finished_.load(std::memory_order_acquire); }
 
   /// A repair that all workers take part in from now on; those submitted earlier come first.
   void submit(std::shared_ptr<PathRepair> repair);
@@ -84,32 +69,20 @@ class Search {
   bool retire(const std::shared_ptr<PathRepair>& repair);
   std::size_t repairCount() const { return repairs_waiting_.load(std::memory_order_relaxed); }
 
-  void forEachNode(const std::function<void(const Node&)>& visit) const;
+  void forEachNode(const std::function<void(const Node&)>& visit) const override;
 
  private:
   bool pickIsPlanted(const ompl::base::State* root, GraspId grasp);
 
-  const ompl::base::SpaceInformationPtr si_;
   const B4PParameters parameters_;
-  const ompl::base::GoalSampleableRegion* const goal_;
-  const PickPlaceRegion* const region_;
-  const GraspAccess grasps_;
-  ompl::base::PlannerInputStates& inputs_;
-  Statistics& statistics_;
+  const std::uint64_t iterations_before_;  ///< those of searches that were restarted
   Schedule schedule_;
   ConnectionMemory memory_;
   std::array<NodeIndex, 2> everywhere_;
-  std::array<std::atomic<std::size_t>, 2> roots_{}, offered_{};
+  std::array<std::atomic<std::size_t>, 2> offered_{};
 
   mutable std::mutex forests_mutex_;
   std::map<GraspId, std::unique_ptr<ForestPair>> forests_;
-
-  std::mutex inputs_mutex_;
-
-  mutable std::mutex solution_mutex_;
-  std::vector<Junction> connections_;
-  std::optional<ompl::geometric::PathGeometric> solution_;
-  std::atomic<bool> finished_{false};
 
   std::mutex repairs_mutex_;
   std::deque<std::shared_ptr<PathRepair>> repairs_;

@@ -5,7 +5,6 @@
 
 #include "planners/b4p/default_worker.h"
 #include "planners/b4p/paper_worker.h"
-#include "planners/manipulation_state_space.h"
 
 namespace b4p {
 
@@ -15,8 +14,7 @@ namespace og = ompl::geometric;
 Worker::Worker(Search& search, std::uint64_t seed)
     : search_(search),
       motion_(search.si(), search.parameters().range),
-      region_(search.region() != nullptr ? search.region()->makeContext(seed) : nullptr),
-      root_(search.si()->allocState(), [si = search.si()](ob::State* state) { si->freeState(state); }) {}
+      drawer_(search.si(), search.region(), seed) {}
 
 void Worker::step() {
   if (search_.finished()) return;
@@ -36,16 +34,9 @@ void Worker::helpRepair(const std::shared_ptr<PathRepair>& repair) {
 }
 
 GraspId Worker::drawPick() {
-  auto* state = root()->as<ManipulationStateSpace::StateType>();
-  if (!region().samplePick(state->q, state->grasp)) return kNoGrasp;
-  search_.plant(Side::kPick, state, state->grasp);
-  return state->grasp;
-}
-
-bool Worker::derivePlaceRoot(PlacementId placement, GraspId grasp) {
-  auto* state = root()->as<ManipulationStateSpace::StateType>();
-  state->grasp = grasp;
-  return region().placeRoot(placement, grasp, state->q);
+  const GraspId grasp = drawer_.drawPick();
+  if (grasp != kNoGrasp) search_.plant(Side::kPick, root(), grasp);
+  return grasp;
 }
 
 void Worker::repair(const Junction& junction, const ob::State* place_root) {
@@ -61,5 +52,7 @@ std::unique_ptr<Worker> makeWorker(Search& search, std::uint64_t seed) {
   if (search.parameters().paper) return std::make_unique<PaperWorker>(search, seed);
   return std::make_unique<DefaultWorker>(search, seed);
 }
+
+std::unique_ptr<ParallelWorker> Search::newWorker(std::uint64_t seed) { return makeWorker(*this, seed); }
 
 }  // namespace b4p

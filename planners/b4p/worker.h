@@ -7,25 +7,18 @@
 #include "planners/b4p/growth.h"
 #include "planners/b4p/motion.h"
 #include "planners/b4p/search.h"
+#include "planners/root_drawer.h"
 
 namespace b4p {
 
-/// Does a query's work one step at a time: a step is one iteration of growth, one iteration of local
-/// replanning, or one drawing of a root. Workers share a Search; each is used by one thread at a time, which
-/// need not be always the same. A step takes as long as a few edge checks or inverse-kinematics calls.
-class Worker {
+/// A worker of B4P: a step is one iteration of growth, one iteration of local replanning, or one drawing of a
+/// root.
+class Worker : public ParallelWorker {
  public:
   /// @param seed  of this worker's draws from the pick-and-place region; the state sampler has OMPL's
   Worker(Search& search, std::uint64_t seed);
-  virtual ~Worker() = default;
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
 
-  /// One step. Does nothing once the search has finished. May throw what the problem's own functions throw.
-  void step();
-
-  /// Lets others go on with what this worker has begun: it will not be stepped for a while.
-  virtual void rest() {}
+  void step() override;
 
  protected:
   /// One step of the search itself, when there is no repair to help with.
@@ -38,7 +31,9 @@ class Worker {
   GraspId drawPick();
 
   /// Eq. 3 into root(). False when there is no configuration.
-  bool derivePlaceRoot(PlacementId placement, GraspId grasp);
+  bool derivePlaceRoot(PlacementId placement, GraspId grasp) {
+    return drawer_.derivePlaceRoot(placement, grasp);
+  }
 
   /// Submits the path over a junction of different grasps, its last state replaced by `place_root` (Algorithm
   /// 1, lines 5 and 6).
@@ -46,16 +41,15 @@ class Worker {
 
   Search& search() { return search_; }
   Motion& motion() { return motion_; }
-  PickPlaceContext& region() { return *region_; }
-  ompl::base::State* root() { return root_.get(); }
+  PickPlaceContext& region() { return drawer_.region(); }
+  ompl::base::State* root() { return drawer_.root(); }
 
  private:
   void helpRepair(const std::shared_ptr<PathRepair>& repair);
 
   Search& search_;
   Motion motion_;
-  std::unique_ptr<PickPlaceContext> region_;
-  std::unique_ptr<ompl::base::State, std::function<void(ompl::base::State*)>> root_;
+  RootDrawer drawer_;
 };
 
 /// The worker that the search's parameters ask for.

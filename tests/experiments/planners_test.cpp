@@ -46,10 +46,13 @@ TEST_F(Planners, PaperModeIsAPlannerOfItsOwn) {
   EXPECT_EQ(value(make("b4p-paper", {}), "paper"), "1");
 }
 
-TEST_F(Planners, EveryParameterOfB4PHasAMeaning) {
-  const auto planner = make("b4p", {});
-  for (const auto& entry : planner->params().getParams())
-    EXPECT_NE(parameterMeaning(entry.first), "") << entry.first;
+TEST_F(Planners, EveryParameterOfThisPackagesPlannersHasAMeaning) {
+  for (const char* name : {"b4p", "rrt-individual", "rrt-shared", "rrt-restart"}) {
+    const auto planner = make(name, {});
+    for (const auto& entry : planner->params().getParams())
+      EXPECT_NE(parameterMeaning(*planner, entry.first), "") << name << ' ' << entry.first;
+  }
+  EXPECT_EQ(parameterMeaning(*make("rrtconnect", {}), "range"), "");
 }
 
 TEST_F(Planners, RefuseWhatTheyDoNotTake) {
@@ -59,6 +62,11 @@ TEST_F(Planners, RefuseWhatTheyDoNotTake) {
     EXPECT_THROW(make("b4p", {{"slice", bad}}), InputError) << bad;
   for (const char* name : {"b4p", "b4p-paper"})
     for (const char* own : {"paper", "threads"}) EXPECT_THROW(make(name, {{own, "1"}}), InputError) << own;
+  for (const char* bad : {"0", "-1", "inf"})
+    EXPECT_THROW(make("rrt-shared", {{"restart_s", bad}}), InputError) << bad;
+  for (const char* bad : {"0.5", "11"})
+    EXPECT_THROW(make("rrt-restart", {{"growth", bad}}), InputError) << bad;
+  EXPECT_THROW(make("rrt-individual", {{"redraw", "2"}}), InputError);
   EXPECT_THROW(make("b4p", {}, 0), InputError);
   EXPECT_THROW(make("rrtconnect", {}, 2), InputError);
   EXPECT_NO_THROW(make("rrtconnect", {{"range", "0.1234567"}}));

@@ -13,6 +13,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "planners/b4p/b4p_planner.h"
+#include "planners/b4p/worker.h"
 #include "planners/toy_world.h"
 
 namespace b4p::test {
@@ -95,6 +96,31 @@ TEST(B4PPlanner, OneRootAndManyThreads) {
   }
 }
 
+// Two roots of one grasp a side, of which one in eight fits: without restarts nearly every seed would fail.
+TEST(B4PPlanner, PaperModeRestartsWithNewRootsWhenAskedTo) {
+  ompl::msg::noOutputHandler();
+  const auto solve = [](unsigned restart_iterations, double time_s) {
+    ompl::RNG::setSeed(3);
+    const DiscProblem setup(narrowWorld());
+    B4P planner(setup.si);
+    B4PParameters parameters;
+    parameters.paper = true;
+    parameters.pick_roots = parameters.place_roots = 1;
+    parameters.restart_iterations = restart_iterations;
+    planner.setParameters(parameters);
+    planner.setProblemDefinition(setup.problem);
+    const ob::PlannerStatus status = planner.ob::Planner::solve(time_s);
+    ob::PlannerData data(setup.si);
+    planner.getPlannerData(data);
+    EXPECT_EQ(data.numStartVertices(), 1u);
+    EXPECT_EQ(std::stoul(data.properties.at("tree nodes INTEGER")), data.numVertices());
+    EXPECT_EQ(std::stoul(data.properties.at("restarts INTEGER")) > 0, restart_iterations > 0);
+    return status;
+  };
+  EXPECT_EQ(solve(0, 1.0), ob::PlannerStatus::TIMEOUT);
+  EXPECT_EQ(solve(5000, 60.0), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
 // Forests in the hands of a worker that is not stepped any more would never grow again.
 TEST(B4PPlanner, FewerThreadsStarveNoForests) {
   ompl::msg::noOutputHandler();
@@ -127,8 +153,8 @@ struct SteppedSearch {
   explicit SteppedSearch(const DiscWorld& world, const B4PParameters& chosen = {})
       : setup(world), parameters(chosen) {
     inputs.use(setup.problem);
-    search = std::make_unique<Search>(setup.si, parameters, setup.goal.get(), setup.region.get(), inputs,
-                                      statistics);
+    search = std::make_unique<Search>(
+        SearchProblem{setup.si, setup.goal.get(), setup.region.get(), inputs, statistics}, parameters);
   }
   DiscProblem setup;
   B4PParameters parameters;

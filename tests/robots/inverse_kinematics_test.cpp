@@ -31,6 +31,8 @@ struct Solver {
 
 const Solver kSolvers[] = {
     {"Kdl", makeKdlInverseKinematics},
+    {"Damped", makeDampedInverseKinematics},
+    {"Fastest", makeInverseKinematics},  // analytic for the Panda
 };
 
 class InverseKinematicsConformance : public testing::TestWithParam<std::tuple<Solver, const char*>> {
@@ -162,11 +164,13 @@ INSTANTIATE_TEST_SUITE_P(SolversAndRobots, InverseKinematicsConformance,
                                   std::get<1>(instance.param);
                          });
 
+class InverseKinematicsInThePlane : public testing::TestWithParam<Solver> {};
+
 // Where a maze wants the planar robot, the answer is unique but for whole turns: all of them have to be
 // found.
-TEST(KdlInverseKinematics, FindsAllPlanarPoses) {
+TEST_P(InverseKinematicsInThePlane, FindsAllPoses) {
   const auto planar = shippedRobot("planar_gripper");
-  const auto ik = makeKdlInverseKinematics(planar);
+  const auto ik = GetParam().make(planar, {});
   std::mt19937_64 random(9);
   Eigen::VectorXd found;
   for (int i = 0; i < 500; ++i) {
@@ -180,6 +184,9 @@ TEST(KdlInverseKinematics, FindsAllPlanarPoses) {
     EXPECT_TRUE(ik->solve(planar->tcpPose(q), random, kRestarts, found)) << "on the border, x = " << x;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Solvers, InverseKinematicsInThePlane, testing::ValuesIn(kSolvers),
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 /// Answers what it is told.
 class FixedAnswer : public InverseKinematics {

@@ -31,6 +31,37 @@ Eigen::VectorXd randomConfiguration(const Manipulator& robot, std::mt19937_64& r
   return q;
 }
 
+std::shared_ptr<const Manipulator> pandaOnCarriage() {
+  const auto panda = shippedRobot("panda");
+  RobotModel model;
+  model.name = "panda_on_carriage";
+  ManipulatorDescription description = panda->description();
+  description.joints.insert(description.joints.begin(), {"slide_x", "slide_y"});
+  for (int i = 0; i < 2; ++i) {
+    Joint slide;
+    slide.name = description.joints[static_cast<std::size_t>(i)];
+    slide.type = JointType::kPrismatic;
+    slide.axis = Eigen::Vector3d::Unit(i);
+    slide.lower = -1.0;
+    slide.upper = 1.0;
+    slide.parent_link = i;
+    slide.child_link = i + 1;
+    model.joints.push_back(slide);
+    model.links.push_back({"carriage" + std::to_string(i), {}, i - 1});
+  }
+  for (Link link : panda->model().links) {
+    link.parent_joint += 2;
+    model.links.push_back(link);
+  }
+  model.links[2].parent_joint = 1;
+  for (Joint joint : panda->model().joints) {
+    joint.parent_link += 2;
+    joint.child_link += 2;
+    model.joints.push_back(joint);
+  }
+  return std::make_shared<const Manipulator>(model, description, unevenPose(), "carriage");
+}
+
 Eigen::Isometry3d unevenPose() {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.translate(Eigen::Vector3d(0.4, -0.7, 0.2))

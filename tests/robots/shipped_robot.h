@@ -19,6 +19,9 @@ std::shared_ptr<const Manipulator> shippedRobot(
 /// A configuration uniform inside the limits.
 Eigen::VectorXd randomConfiguration(const Manipulator& robot, std::mt19937_64& random);
 
+/// The Panda on a carriage that slides along x and y, -1 m to 1 m: nine joints.
+std::shared_ptr<const Manipulator> pandaOnCarriage();
+
 /// A pose that is nothing special.
 Eigen::Isometry3d unevenPose();
 
