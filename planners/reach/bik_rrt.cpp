@@ -20,7 +20,7 @@ std::string BIKRRTParameters::problem() const {
   return "";
 }
 
-BIKRRT::BIKRRT(const ob::SpaceInformationPtr& si) : ParametrisedReachPlanner(si, "BIKRRT") {
+BIKRRT::BIKRRT(const ob::SpaceInformationPtr& si) : WithParameters(si, "BIKRRT") {
   declare("ik_probability", &BIKRRTParameters::ik_probability, "0.01:0.01:1.");
   declare("ik_attempts", &BIKRRTParameters::ik_attempts, "1:1:100000");
   declare("range", &BIKRRTParameters::range, "0.:0.01:10000.");

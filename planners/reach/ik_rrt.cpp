@@ -21,7 +21,7 @@ std::string IKRRTParameters::problem() const {
   return "";
 }
 
-IKRRT::IKRRT(const ob::SpaceInformationPtr& si) : ParametrisedReachPlanner(si, "IKRRT") {
+IKRRT::IKRRT(const ob::SpaceInformationPtr& si) : WithParameters(si, "IKRRT") {
   declare("ik_attempts", &IKRRTParameters::ik_attempts, "1:1:100000");
   declare("iterations", &IKRRTParameters::iterations, "1:1:1000000");
   declare("goal_bias", &IKRRTParameters::goal_bias, "0.01:0.01:1.");

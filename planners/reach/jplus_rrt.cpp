@@ -25,7 +25,7 @@ std::string JPlusRRTParameters::problem() const {
   return "";
 }
 
-JPlusRRT::JPlusRRT(const ob::SpaceInformationPtr& si) : ParametrisedReachPlanner(si, "JPlusRRT") {
+JPlusRRT::JPlusRRT(const ob::SpaceInformationPtr& si) : WithParameters(si, "JPlusRRT") {
   declare("steer_probability", &JPlusRRTParameters::steer_probability, "0.:0.01:1.");
   declare("weighted_grasps", &JPlusRRTParameters::weighted_grasps, "0,1");
   declare("cartesian_step", &JPlusRRTParameters::cartesian_step, "0.001:0.001:1.");

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/reach/reach_planner.h"
 
-#include <exception>
-
-#include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/Console.h>
 
 namespace b4p {
 
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
 ReachPlanner::ReachPlanner(const ob::SpaceInformationPtr& si, const std::string& name)
-    : ob::Planner(si, name) {
-  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    : GuardedPlanner(si, name) {
   specs_.multithreaded = false;
-  specs_.approximateSolutions = false;
-  specs_.optimizingPaths = false;
-  specs_.directed = true;
 
   declareProgress("iterations INTEGER", statistics_.iterations);
   declareProgress("tree nodes INTEGER", statistics_.nodes);
@@ -26,32 +18,17 @@ ReachPlanner::ReachPlanner(const ob::SpaceInformationPtr& si, const std::string&
   declareProgress("goal roots INTEGER", statistics_.goal_roots);
 }
 
-void ReachPlanner::declareProgress(const std::string& name, const std::atomic<std::uint64_t>& count) {
-  addPlannerProgressProperty(name,
-                             [&count] { return std::to_string(count.load(std::memory_order_relaxed)); });
-}
-
 void ReachPlanner::clear() {
   Planner::clear();
-  connections_.clear();
-  search_.reset();
+  forget();
   problem_.reset();
   goal_.reset();
-  statistics_.reset();
 }
 
-ob::PlannerStatus ReachPlanner::solve(const ob::PlannerTerminationCondition& ptc) {
-  checkValidity();
-  last_error_.clear();
-  try {
-    return search(ptc);
-  } catch (const std::exception& e) {
-    last_error_ = e.what();
-  } catch (...) {
-    last_error_ = "an exception of unknown type";
-  }
-  OMPL_ERROR("%s: stopped by %s", getName().c_str(), last_error_.c_str());
-  return ob::PlannerStatus::CRASH;
+void ReachPlanner::forget() {
+  connections_.clear();
+  search_.reset();
+  statistics_.reset();
 }
 
 ob::PlannerStatus ReachPlanner::search(const ob::PlannerTerminationCondition& ptc) {
@@ -76,15 +53,14 @@ ob::PlannerStatus ReachPlanner::search(const ob::PlannerTerminationCondition& pt
     solution = search_->step();
   }
   if (!solution) return ob::PlannerStatus::TIMEOUT;
-  addSolution(*solution);
+  connections_.push_back(*solution);
+  addSolution(pathThrough(*solution, si_).path);
   return ob::PlannerStatus::EXACT_SOLUTION;
 }
 
 void ReachPlanner::prepareSearch(const ReachGoal& goal) {
   if (search_ && problem_ == pdef_ && goal_ == pdef_->getGoal()) return;
-  connections_.clear();
-  search_.reset();
-  statistics_.reset();
+  forget();
   pis_.restart();
   problem_ = pdef_;
   goal_ = pdef_->getGoal();
@@ -102,18 +78,6 @@ void ReachPlanner::plantStarts() {
   }
 }
 
-void ReachPlanner::addSolution(const Junction& junction) {
-  connections_.push_back(junction);
-  const auto path = std::make_shared<og::PathGeometric>(pathThrough(junction, si_).path);
-  ob::PlannerSolution solution(path);
-  solution.setPlannerName(getName());
-  if (const auto& objective = pdef_->getOptimizationObjective()) {
-    const ob::Cost cost = path->cost(objective);
-    solution.setOptimized(objective, cost, objective->isSatisfied(cost));
-  }
-  pdef_->addSolutionPath(solution);
-}
-
 GraspId ReachPlanner::solvedGrasp() const {
   return connections_.empty() ? kNoGrasp : connections_.back().place->tree->placement;
 }
@@ -122,20 +86,8 @@ void ReachPlanner::getPlannerData(ob::PlannerData& data) const {
   Planner::getPlannerData(data);
   data.properties["grasp id INTEGER"] = std::to_string(solvedGrasp());
   if (!search_) return;
-  constexpr int kStartTag = 1, kGoalTag = 2;
-  search_->forests().forEachNode([&data](const Node& node) {
-    const bool from_start = node.tree->side == Side::kPick;
-    const int tag = from_start ? kStartTag : kGoalTag;
-    const ob::PlannerDataVertex vertex(node.state, tag);
-    if (node.parent == nullptr) {
-      from_start ? data.addStartVertex(vertex) : data.addGoalVertex(vertex);
-    } else {
-      const ob::PlannerDataVertex parent(node.parent->state, tag);
-      from_start ? data.addEdge(parent, vertex) : data.addEdge(vertex, parent);
-    }
-  });
-  for (const Junction& junction : connections_)
-    data.addEdge(ob::PlannerDataVertex(junction.pick->state), ob::PlannerDataVertex(junction.place->state));
+  search_->forests().forEachNode([&data](const Node& node) { addTo(data, node); });
+  for (const Junction& junction : connections_) addTo(data, junction);
 }
 
 }  // namespace b4p
