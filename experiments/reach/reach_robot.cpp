@@ -51,7 +51,7 @@ class ManipulatorReachContext : public ReachContext {
 
 ManipulatorReachRobot::ManipulatorReachRobot(std::shared_ptr<const Manipulator> robot)
     : ManipulatorReachRobot(std::move(robot), [](const std::shared_ptr<const Manipulator>& manipulator) {
-        return makeKdlInverseKinematics(manipulator);
+        return makeInverseKinematics(manipulator);
       }) {}
 
 ManipulatorReachRobot::ManipulatorReachRobot(std::shared_ptr<const Manipulator> robot, IkFactory make_ik)

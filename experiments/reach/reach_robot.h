@@ -15,8 +15,8 @@ using IkFactory =
     std::function<std::unique_ptr<InverseKinematics>(const std::shared_ptr<const Manipulator>& robot)>;
 
 /// A Manipulator as reach planners see it: forward kinematics and Jacobian through KDL, poses through inverse
-/// kinematics from a random seed (KDL's unless another is given), positions by steps of the Jacobian from a
-/// random seed, to within a tenth of a millimetre. Immutable.
+/// kinematics from a random seed (makeInverseKinematics() unless another is given), positions by steps of the
+/// Jacobian from a random seed, to within a tenth of a millimetre. Immutable.
 class ManipulatorReachRobot : public ReachRobot {
  public:
   /// @param robot  not null

@@ -37,10 +37,13 @@ void ApproachTable::offerTo(GraspId grasp, const Node* node, const Eigen::Isomet
 }
 
 GraspId ApproachTable::draw(std::mt19937_64& random, bool weighted) const {
+  constexpr double kNearest = 1e-6;  // keeps weights finite
   std::vector<double> weights;
   double sum = 0.0;
   for (const auto& entries : nearest_) {
-    weights.push_back(entries.empty() ? 0.0 : weighted ? 1.0 / entries.back().first : 1.0);
+    weights.push_back(entries.empty() ? 0.0
+                      : weighted      ? 1.0 / std::max(kNearest, entries.back().first)
+                                      : 1.0);
     sum += weights.back();
   }
   if (sum == 0.0) return kNoGrasp;

@@ -15,7 +15,8 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 constexpr double kDamping = 0.03;          // against singular values (m per rad)
 constexpr double kLongestJointStep = 0.3;  // rad or m
 constexpr double kGain = 0.99;             // a step gains when it shortens the way to this share
-constexpr int kPatience = 8;
+constexpr int kPatience = 4;
+constexpr double kShortestJointStep = 1e-6;  // rad or m
 
 /// Rows weighted so that metres and radians compare.
 void weigh(Vector6d& twist) { twist.tail<3>() *= kMetresPerRadian; }
@@ -82,7 +83,7 @@ Eigen::VectorXd JacobianDescent::step(ReachContext& context, const Eigen::Vector
   const Eigen::VectorXd dq =
       jacobianStep(context.jacobian(q.data()), limited(twist, rules_.cartesian_step_m), q, lower_, upper_);
   const Eigen::VectorXd next = (q + dq).cwiseMax(lower_).cwiseMin(upper_);
-  if (next == q) return {};
+  if ((next - q).cwiseAbs().maxCoeff() < kShortestJointStep) return {};
   return next;
 }
 

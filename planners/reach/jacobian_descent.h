@@ -32,7 +32,7 @@ class JacobianDescent {
       : rules_(rules), lower_(lower), upper_(upper) {}
 
   /// The step from q, where the TCP is `whole_way` from the grasp. Empty when the way has stalled: a joint
-  /// limit or a singularity, no gain in 8 steps.
+  /// limit or a singularity, no gain in 4 steps.
   Eigen::VectorXd step(ReachContext& context, const Eigen::VectorXd& q, const TcpTwist& whole_way);
 
  private:

