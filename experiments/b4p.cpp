@@ -32,7 +32,9 @@ int runCommandLine(int argc, char** argv) {
   addListCommand(app, run);
   addPlanCommand(app, run);
   addBenchCommand(app, run);
+  addSimulateCommand(app, run);
   addVerifyCommand(app, run);
+  addCertifyCommand(app, run);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

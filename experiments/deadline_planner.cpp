@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/deadline_planner.h"
 
-#include <chrono>
+#include <time.h>
+
 #include <exception>
 #include <utility>
 
@@ -20,27 +21,34 @@ std::string ownAccount(const ob::Planner& planner) {
   return own == nullptr || own->lastError().empty() ? "the planner gives no reason" : own->lastError();
 }
 
+/// Used by all threads of the process so far.
+double processorTime_s() {
+  constexpr double kNanosecond_s = 1e-9;
+  timespec used{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + kNanosecond_s * static_cast<double>(used.tv_nsec);
+}
+
 }  // namespace
 
-DeadlinePlanner::DeadlinePlanner(const ob::PlannerPtr& planner, double limit_s, Preparation prepare,
-                                 std::function<void()> finish)
+DeadlinePlanner::DeadlinePlanner(const ob::PlannerPtr& planner, const RunLimits& limits, Preparation prepare,
+                                 std::function<void()> finish, std::function<std::uint64_t()> checks)
     : ob::Planner(planner->getSpaceInformation(), planner->getName()),
       planner_(planner),
-      limit_s_(limit_s),
+      limits_(limits),
       prepare_(std::move(prepare)),
-      finish_(std::move(finish)) {
+      finish_(std::move(finish)),
+      checks_(std::move(checks)) {
   specs_ = planner->getSpecs();
   params_.include(planner->params());
   plannerProgressProperties_ = planner->getPlannerProgressProperties();
 }
 
 ob::PlannerStatus DeadlinePlanner::solve(const ob::PlannerTerminationCondition& ptc) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto end =
-      start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit_s_));
+  const double cpu_before_s = processorTime_s();
+  LimitWatch limits(limits_, checks_);
   const ob::PlannerTerminationCondition done(
-      [&ptc, end] { return Clock::now() >= end || interrupted() || ptc(); });
+      [&ptc, &limits] { return limits.reached() || interrupted() || ptc(); });
   ob::PlannerStatus status = ob::PlannerStatus::CRASH;
   crash_.clear();
   try {
@@ -54,7 +62,8 @@ ob::PlannerStatus DeadlinePlanner::solve(const ob::PlannerTerminationCondition& 
   } catch (...) {
     crash_ = "unknown exception";
   }
-  elapsed_s_ = std::chrono::duration<double>(Clock::now() - start).count();
+  elapsed_s_ = limits.elapsed_s();
+  cpu_s_ = processorTime_s() - cpu_before_s;
   if (finish_) finish_();
   return status;
 }

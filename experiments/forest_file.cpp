@@ -29,21 +29,26 @@ int parentOf(const ob::PlannerData& data, unsigned vertex, bool pick) {
 
 }  // namespace
 
-void writeForests(const std::string& file, const Problem& problem, const ob::Planner& planner) {
+void writeForests(const std::string& file, const std::string& scene, const Problem& problem,
+                  const ob::Planner& planner) {
   constexpr int kPickTag = 1;
   ob::PlannerData data(problem.si);
   planner.getPlannerData(data);
   nlohmann::json nodes = nlohmann::json::array();
+  nlohmann::json openings = nlohmann::json::object();
   for (unsigned i = 0; i < data.numVertices(); ++i) {
     const auto* state = data.getVertex(i).getState()->as<ManipulationStateSpace::StateType>();
     const bool pick = data.getVertex(i).getTag() == kPickTag;
+    openings[std::to_string(state->grasp)] = problem.region->grasp(state->grasp).opening_m;
     nodes.push_back({{"side", pick ? 0 : 1},
                      {"grasp", state->grasp},
                      {"parent", parentOf(data, i, pick)},
                      {"q", std::vector<double>(state->q, state->q + problem.space->dof())}});
   }
-  const nlohmann::json document{
-      {"schema", kSchema}, {"scene", problem.scene.name}, {"nodes", std::move(nodes)}};
+  const nlohmann::json document{{"schema", kSchema},
+                                {"scene", scene},
+                                {"openings_m", std::move(openings)},
+                                {"nodes", std::move(nodes)}};
   writeFile(file, document.dump() + "\n");
 }
 

@@ -7,9 +7,11 @@
 
 namespace b4p {
 
-/// Writes a planner's trees as JSON: {"schema": 1, "scene": ..., "nodes": [{"side": 0 pick | 1 place,
-/// "grasp": id, "parent": index or -1, "q": [...]}]}.
+/// Writes a planner's trees as JSON: {"schema": 1, "scene": ..., "openings_m": {grasp id: gripper opening,
+/// ...}, "nodes": [{"side": 0 pick | 1 place, "grasp": id, "parent": index or -1, "q": [...]}]}.
+/// @param scene name or path of the scene file
 /// @throws InputError when the file cannot be written
-void writeForests(const std::string& file, const Problem& problem, const ompl::base::Planner& planner);
+void writeForests(const std::string& file, const std::string& scene, const Problem& problem,
+                  const ompl::base::Planner& planner);
 
 }  // namespace b4p

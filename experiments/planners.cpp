@@ -102,6 +102,8 @@ std::string parameterMeaning(const ob::Planner& planner, const std::string& name
       {kPaper, "1: the algorithm as printed; set by the planner's name"},
       {"pick_roots", "b4p-paper: pick trees (count)"},
       {"place_roots", "b4p-paper: place trees (count)"},
+      {"relaxed", "1: trees of different grasps are joined; 0: only those of equal grasps"},
+      {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
       {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
       {"slice",
        "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},

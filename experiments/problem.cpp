@@ -40,15 +40,8 @@ ob::RealVectorBounds jointBounds(const Manipulator& robot) {
   return bounds;
 }
 
-}  // namespace
-
-Problem makeProblem(const Scene& scene) {
-  Problem problem;
-  problem.scene = scene;
-  problem.robot = std::make_shared<Manipulator>(loadUrdf(scene.robot.urdf_file), scene.robot.description,
-                                                scene.X_WB, scene.robot.file);
-  problem.checker = makeChecker(scene, problem.robot);
-  problem.region = std::make_shared<SceneRegion>(scene, problem.checker);
+/// All that planners need, once robot, checker and region are there.
+void addPlanningParts(Problem& problem) {
   problem.space = std::make_shared<ManipulationStateSpace>(jointBounds(*problem.robot));
   problem.space->setGraspCount([region = problem.region] { return region->graspCount(); });
   problem.counts = std::make_shared<ValidityCounts>();
@@ -58,7 +51,30 @@ Problem makeProblem(const Scene& scene) {
   problem.setup = std::make_shared<og::SimpleSetup>(problem.si);
   problem.setup->setGoal(problem.goal);
   problem.pdef = problem.setup->getProblemDefinition();
+}
+
+}  // namespace
+
+Problem makeProblem(const Scene& scene) {
+  Problem problem;
+  problem.scene = scene;
+  problem.robot = std::make_shared<Manipulator>(loadUrdf(scene.robot.urdf_file), scene.robot.description,
+                                                scene.X_WB, scene.robot.file);
+  problem.checker = makeChecker(scene, problem.robot);
+  problem.region = std::make_shared<SceneRegion>(scene, problem.checker);
+  addPlanningParts(problem);
   return problem;
+}
+
+Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps) {
+  Problem restricted;
+  restricted.scene = problem.scene;
+  restricted.robot = problem.robot;
+  restricted.checker = problem.checker;
+  restricted.region = std::make_shared<SceneRegion>(problem.scene, problem.checker,
+                                                    std::make_unique<ListedGraspSampler>(std::move(grasps)));
+  addPlanningParts(restricted);
+  return restricted;
 }
 
 int addStartStates(const Problem& problem, int wanted, std::uint64_t seed,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -36,6 +37,9 @@ struct Problem {
 
 /// @throws InputError when the robot's files are at fault
 Problem makeProblem(const Scene& scene);
+
+/// The same task with no other grasps than these, numbered from 0. Shares robot and collision checker.
+Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps);
 
 /// Draws picks until the problem has `wanted` start states more, or, where there are fewer grasps than that,
 /// one for each grasp that has one. Ends early when `done`.

@@ -40,13 +40,15 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
     edge_checks_ = problem_.counts->edges;
     addStartStates(problem_, starts, derivedSeed(settings_.seed, kStartStream), done);
   };
-  const auto finish = [this] {
-    configurations_ = problem_.motions->configurationsChecked() - configurations_;
+  // Until the run ends, configurations_ is where the counter stood when it began.
+  const auto checked = [this] { return problem_.motions->configurationsChecked() - configurations_; };
+  const auto finish = [this, checked] {
+    configurations_ = checked();
     edge_checks_ = problem_.counts->edges - edge_checks_;
   };
   planner_ = std::make_shared<DeadlinePlanner>(
-      makePlanner(kind, settings.parameters, settings.threads, problem_.si, where), settings.time_limit_s,
-      prepare, finish);
+      makePlanner(kind, settings.parameters, settings.threads, problem_.si, where),
+      RunLimits{settings.time_limit_s, settings.check_limit, settings.stop}, prepare, finish, checked);
   problem_.setup->setPlanner(planner_);
 }
 
@@ -57,7 +59,7 @@ void Query::solve() {
 }
 
 PlanResult Query::result(const ob::PlannerStatus& status) const {
-  PlanResult result;
+  PlanResult result = pathResult(problem_, status);
   result.scene = scene_name_;
   result.planner = settings_.planner;
   planner_->params().getParams(result.parameters);
@@ -65,23 +67,28 @@ PlanResult Query::result(const ob::PlannerStatus& status) const {
   result.threads = settings_.threads;
   result.time_limit_s = settings_.time_limit_s;
   result.planning_time_s = planner_->elapsed_s();
+  return result;
+}
+
+PlanResult pathResult(const Problem& problem, const ob::PlannerStatus& status) {
+  PlanResult result;
   result.status = status.asString();
-  for (const int joint : problem_.robot->plannedJoints())
-    result.joint_names.push_back(problem_.robot->model().joints[static_cast<std::size_t>(joint)].name);
-  result.solved = status == ob::PlannerStatus::EXACT_SOLUTION && problem_.pdef->hasExactSolution();
+  for (const int joint : problem.robot->plannedJoints())
+    result.joint_names.push_back(problem.robot->model().joints[static_cast<std::size_t>(joint)].name);
+  result.solved = status == ob::PlannerStatus::EXACT_SOLUTION && problem.pdef->hasExactSolution();
   if (!result.solved) return result;
 
   using StateType = ManipulationStateSpace::StateType;
-  const auto& path = *problem_.pdef->getSolutionPath()->as<og::PathGeometric>();
-  const auto dof = static_cast<std::ptrdiff_t>(problem_.space->dof());
+  const auto& path = *problem.pdef->getSolutionPath()->as<og::PathGeometric>();
+  const auto dof = static_cast<std::ptrdiff_t>(problem.space->dof());
   for (std::size_t i = 0; i < path.getStateCount(); ++i) {
     const double* q = path.getState(static_cast<unsigned>(i))->as<StateType>()->q;
     result.path.emplace_back(q, q + dof);
   }
   result.grasp_id = path.getState(0)->as<StateType>()->grasp;
-  result.grasp = problem_.region->grasp(result.grasp_id);
-  result.X_WO_pick = problem_.region->objectPose(result.path.front().data(), result.grasp);
-  result.X_WO_place = problem_.region->objectPose(result.path.back().data(), result.grasp);
+  result.grasp = problem.region->grasp(result.grasp_id);
+  result.X_WO_pick = problem.region->objectPose(result.path.front().data(), result.grasp);
+  result.X_WO_place = problem.region->objectPose(result.path.back().data(), result.grasp);
   return result;
 }
 

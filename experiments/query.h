@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "experiments/deadline_planner.h"
 #include "experiments/planners.h"
 #include "experiments/problem.h"
 #include "experiments/result.h"
+#include "experiments/run_limits.h"
 #include "experiments/scene.h"
 
 namespace b4p {
@@ -19,7 +21,9 @@ struct QuerySettings {
   PlannerParameters parameters;
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  double time_limit_s = 0.0;  ///< > 0
+  double time_limit_s = 0.0;                      ///< > 0
+  std::optional<std::uint64_t> check_limit = {};  ///< configurations checked (see RunLimits), none: no limit
+  StopRule stop = StopRule::kEither;              ///< where there is a check limit
 };
 
 /// One run of one planner on one scene. The time limit covers all that happens after construction: the
@@ -50,6 +54,9 @@ class Query {
   std::uint64_t configurationsChecked() const { return configurations_; }
   std::uint64_t edgeChecks() const { return edge_checks_; }
 
+  /// Processor time of all threads while the planner ran (s).
+  double cpu_s() const { return planner_->cpu_s(); }
+
  private:
   std::string scene_name_;
   QuerySettings settings_;
@@ -59,6 +66,10 @@ class Query {
   std::uint64_t configurations_ = 0;
   std::uint64_t edge_checks_ = 0;
 };
+
+/// What a planner's status and the solution path of a problem say: status, joints, path, grasp and object
+/// poses.
+PlanResult pathResult(const Problem& problem, const ompl::base::PlannerStatus& status);
 
 /// Whether the planner ended by an exception, its own handling of it included.
 bool crashed(const PlanResult& result);

@@ -41,13 +41,6 @@ struct PlacementSource {
                                                 ///< a yaw in this window
 };
 
-/// What has been measured about a scene and is stated in its file.
-struct SceneNumbers {
-  int grasps_sampled = 0;
-  int grasps_valid_at_pick = 0;
-  int grasps_compatible = 0;
-};
-
 /// A pick-and-place task as its file describes it (experiments/scenes/*.yaml).
 struct Scene {
   std::string file;
@@ -64,7 +57,6 @@ struct Scene {
   double contact_clearance_m = 0.0;  ///< the least distance of the held object from obstacles at the start
                                      ///< pose; preflight() checks it
   double budget_s = 10.0;            ///< the scene's usual time limit
-  SceneNumbers numbers;
 };
 
 /// Loads a scene by path, or by name from the scenes that ship with b4p.

@@ -27,11 +27,16 @@ constexpr double kUprightTolerance_rad = 5e-4;
 }  // namespace
 
 SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker)
+    : SceneRegion(scene, checker,
+                  makeGraspSampler(scene.grasps, checker->problem().robot->description().max_opening_m)) {}
+
+SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker,
+                         std::unique_ptr<const GraspSampler> grasps)
     : checker_(std::move(checker)),
       gripper_checker_(FloatingBody::makeChecker(checker_->problem(), FloatingBody::Parts::kGripper)),
       robot_(checker_->problem().robot),
       X_WO_start_(scene.X_WO_start),
-      sampler_(makeGraspSampler(scene.grasps, robot_->description().max_opening_m)),
+      sampler_(std::move(grasps)),
       placement_sampler_(scene.placement, scene.X_WO_start, kPlacementMargin_m, kUprightTolerance_rad) {
   for (const Grasp& grasp : sampler_->all()) grasps_.add(grasp);
 }
@@ -113,15 +118,29 @@ bool SceneRegionContext::placeRoot(PlacementId placement, GraspId grasp, double*
   return root(impl_->region.placement(placement), impl_->region.grasp(grasp), q) == RootOutcome::kValid;
 }
 
-RootOutcome SceneRegionContext::probePick(Grasp& grasp, std::string& collision) {
-  grasp = impl_->region.sampler_->sample(impl_->random);
-  const Eigen::Isometry3d X_WT = impl_->region.X_WO_start_ * grasp.X_OT;
-  std::vector<double> q(static_cast<std::size_t>(impl_->robot->dof()));
-  const RootOutcome outcome = root(impl_->region.X_WO_start_, grasp, q.data());
-  if (outcome == RootOutcome::kGripperCollides) collision = impl_->gripper.describeCollision(X_WT, grasp);
+RootOutcome SceneRegionContext::pick(const Grasp& grasp, double* q, std::string& collision) {
+  const Eigen::Isometry3d& X_WO = impl_->region.X_WO_start_;
+  const RootOutcome outcome = root(X_WO, grasp, q);
+  if (outcome == RootOutcome::kGripperCollides)
+    collision = impl_->gripper.describeCollision(X_WO * grasp.X_OT, grasp);
   if (outcome == RootOutcome::kArmCollides)
     collision = impl_->collisions->describeCollision(impl_->answer.data(), &grasp);
   return outcome;
+}
+
+RootOutcome SceneRegionContext::tryPick(GraspId grasp, double* q, std::string& collision) {
+  return pick(impl_->region.grasp(grasp), q, collision);
+}
+
+RootOutcome SceneRegionContext::tryPlacement(GraspId grasp, double* q) {
+  const Eigen::Isometry3d X_WO = impl_->region.placement_sampler_.sample(impl_->random);
+  return root(X_WO, impl_->region.grasp(grasp), q);
+}
+
+RootOutcome SceneRegionContext::probePick(Grasp& grasp, std::string& collision) {
+  grasp = impl_->region.sampler_->sample(impl_->random);
+  std::vector<double> q(static_cast<std::size_t>(impl_->robot->dof()));
+  return pick(grasp, q.data(), collision);
 }
 
 bool SceneRegionContext::reachesSomePlacement(const Grasp& grasp) {

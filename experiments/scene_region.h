@@ -23,6 +23,10 @@ class SceneRegion : public PickPlaceRegion {
   /// @param checker  of the robot carrying the scene's object
   SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker);
 
+  /// With other grasps than the scene's.
+  SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker,
+              std::unique_ptr<const GraspSampler> grasps);
+
   std::unique_ptr<PickPlaceContext> makeContext(std::uint64_t seed) const override;
   GraspId graspCount() const override { return grasps_.size(); }
   double distanceToPlacement(const double* q, GraspId grasp) const override;
@@ -69,6 +73,13 @@ class SceneRegionContext : public PickPlaceContext {
   /// A configuration that holds the object at its start pose with a known grasp.
   bool pickRoot(GraspId grasp, double* q);
 
+  /// Tries to hold the object at its start pose with a known grasp.
+  /// @param collision  set to the colliding pair where that is the outcome
+  RootOutcome tryPick(GraspId grasp, double* q, std::string& collision);
+
+  /// Tries a known grasp at a placement that is drawn and forgotten.
+  RootOutcome tryPlacement(GraspId grasp, double* q);
+
   /// Draws a grasp without adding it to the known ones, and tries it at the start pose.
   /// @param collision  set to the colliding pair where that is the outcome
   RootOutcome probePick(Grasp& grasp, std::string& collision);
@@ -78,6 +89,7 @@ class SceneRegionContext : public PickPlaceContext {
 
  private:
   RootOutcome root(const Eigen::Isometry3d& X_WO, const Grasp& grasp, double* q);
+  RootOutcome pick(const Grasp& grasp, double* q, std::string& collision);
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

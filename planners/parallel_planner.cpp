@@ -49,7 +49,10 @@ ob::PlannerStatus ParallelPlanner::search(const ob::PlannerTerminationCondition&
   for (;;) {
     const ob::PlannerStatus planted = plantRoots(*goal, ptc);
     if (planted != ob::PlannerStatus::UNKNOWN) return planted;
-    work(ptc);
+    search_->resume();
+    work([this](std::size_t number) { workers_[number]->step(); },
+         [this] { return search_->finished() || search_->expired(); }, ptc);
+    search_->pause();
     if (const auto solution = search_->takeSolution()) {
       addSolution(*solution);
       return ob::PlannerStatus::EXACT_SOLUTION;
@@ -78,8 +81,8 @@ void ParallelPlanner::beginSearch(const ob::GoalSampleableRegion& goal) {
   statistics_.nodes = 0;
   pis_.restart();
   const auto* place_goal = dynamic_cast<const PlaceGoal*>(&goal);
-  search_ =
-      makeSearch({si_, &goal, place_goal != nullptr ? &place_goal->region() : nullptr, pis_, statistics_});
+  const PickPlaceRegion* region = place_goal != nullptr ? &place_goal->region() : nullptr;
+  search_ = makeSearch({si_, &goal, region, pis_, statistics_, publicationLog()});
 }
 
 // Each worker's random streams derive from OMPL's seed in this order, never from the order in which threads
@@ -133,12 +136,11 @@ bool ParallelPlanner::plantFirstGoal(const ob::GoalSampleableRegion& goal,
   return search_->rootCount(Side::kPlace) > 0;
 }
 
-void ParallelPlanner::work(const ob::PlannerTerminationCondition& ptc) {
-  search_->resume();
+void ParallelPlanner::work(const std::function<void(std::size_t)>& step, const std::function<bool()>& over,
+                           const ob::PlannerTerminationCondition& ptc) {
   runCrew(threadCount(), [&](std::size_t number, const std::atomic<bool>& stop) {
-    while (!stop && !search_->finished() && !search_->expired() && !ptc) workers_[number]->step();
+    while (!stop && !over() && !ptc) step(number);
   });
-  search_->pause();
 }
 
 void ParallelPlanner::getPlannerData(ob::PlannerData& data) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,14 @@ class ParallelPlanner : public GuardedPlanner {
   virtual unsigned threadCount() const = 0;
   virtual std::unique_ptr<ParallelSearch> makeSearch(const SearchProblem& problem) = 0;
 
+  /// Lets workers 0 ... threadCount()-1 take steps until the search is `over` or `ptc` holds: here each in a
+  /// thread of its own. What `step` throws passes through.
+  virtual void work(const std::function<void(std::size_t number)>& step, const std::function<bool()>& over,
+                    const ompl::base::PlannerTerminationCondition& ptc);
+
+  /// Through which workers see what others have done; nullptr: at once.
+  virtual PublicationLog* publicationLog() { return nullptr; }
+
   const Statistics& statistics() const { return statistics_; }
 
  private:
@@ -50,7 +59,6 @@ class ParallelPlanner : public GuardedPlanner {
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
                       const ompl::base::PlannerTerminationCondition& ptc);
-  void work(const ompl::base::PlannerTerminationCondition& ptc);
 
   Statistics statistics_;
   ompl::base::ProblemDefinitionPtr problem_;  ///< what `search_` was made for

@@ -26,14 +26,20 @@ bool ParallelSearch::rootsMatch(const Junction& junction) const {
 }
 
 void ParallelSearch::publish(const Junction& junction) {
-  {
-    const std::lock_guard<std::mutex> lock(solution_mutex_);
-    connections_.push_back(junction);
-  }
-  publish(pathThrough(junction, si()).path);
+  share(log(), [this, junction] {
+    {
+      const std::lock_guard<std::mutex> lock(solution_mutex_);
+      connections_.push_back(junction);
+    }
+    finish(pathThrough(junction, si()).path);
+  });
 }
 
 void ParallelSearch::publish(const og::PathGeometric& path) {
+  share(log(), [this, path] { finish(path); });
+}
+
+void ParallelSearch::finish(const og::PathGeometric& path) {
   const std::lock_guard<std::mutex> lock(solution_mutex_);
   if (finished_) return;
   solution_ = path;

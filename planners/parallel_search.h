@@ -17,6 +17,7 @@
 #include "planners/b4p/forest.h"
 #include "planners/b4p/growth.h"
 #include "planners/b4p/motion.h"
+#include "planners/b4p/publication_log.h"
 #include "planners/b4p/statistics.h"
 
 namespace b4p {
@@ -28,6 +29,8 @@ struct SearchProblem {
   const PickPlaceRegion* region;  ///< the pick-and-place problem behind the goal, nullptr: there is none
   ompl::base::PlannerInputStates& inputs;  ///< start and goal states of the problem
   Statistics& statistics;                  ///< counts what is done
+  /// When given, workers see through it what others have done; they then share one thread.
+  PublicationLog* log = nullptr;
 };
 
 /// Does a search's work one step at a time. Each worker is used by one thread at a time, which need not be
@@ -66,7 +69,7 @@ class ParallelSearch {
   virtual void resume() {}
   virtual void pause() {}
 
-  /// True when it is time to drop all there is and begin anew.
+  /// True when it is time for the planner to drop this search and begin another one, with all start states.
   virtual bool expired() const { return false; }
 
   virtual void forEachNode(const std::function<void(const Node&)>& visit) const = 0;
@@ -75,6 +78,7 @@ class ParallelSearch {
   const PickPlaceRegion* region() const { return problem_.region; }
   const GraspAccess& grasps() const { return grasps_; }
   Statistics& statistics() const { return problem_.statistics; }
+  PublicationLog* log() const { return problem_.log; }
 
   std::size_t rootCount(Side side) const { return roots_[index(side)]; }
 
@@ -99,6 +103,8 @@ class ParallelSearch {
   void forgetConnections();
 
  private:
+  void finish(const ompl::geometric::PathGeometric& path);
+
   const SearchProblem problem_;
   const GraspAccess grasps_;
   std::array<std::atomic<std::size_t>, 2> roots_{};

@@ -5,14 +5,13 @@
 import argparse
 from pathlib import Path
 
-from b4p_files.errors import FileError, run
-from b4p_files.result import Forests, Result, read_forests, read_result
-from b4p_files.scene import Scene, find_scene, read_scene
+from b4p_files.errors import run
+from b4p_files.result import Forests, Result, read_forests
+from b4p_files.scene import Scene
+from b4p_files.subject import add_subject, read_subject
 
 
 def draw(scene: Scene, result: Result | None, forests: Forests | None, file: Path) -> None:
-    if result is not None and len(result.path) and result.joint_names != scene.robot.joint_names:
-        raise FileError(result.file, f"joint_names are not those of {scene.robot.file}")
     # Each takes a second or more to load.
     if scene.robot.is_planar:
         from b4p_figures.planar import draw_planar
@@ -26,18 +25,15 @@ def draw(scene: Scene, result: Result | None, forests: Forests | None, file: Pat
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument(
-        "input", metavar="RESULT.json|SCENE", help="result of `b4p plan`, or a scene by name or path"
-    )
+    add_subject(parser)
     parser.add_argument("-o", "--out", metavar="PNG", type=Path, required=True, help="picture to write")
     parser.add_argument(
         "--forests", metavar="JSON", type=Path, help="`b4p plan --forests` file (planar scenes)"
     )
     arguments = parser.parse_args()
-    result = read_result(Path(arguments.input)) if arguments.input.endswith(".json") else None
-    name, folder = (result.scene, result.file.parent) if result else (arguments.input, Path())
+    scene, result = read_subject(arguments.subject)
     forests = read_forests(arguments.forests) if arguments.forests else None
-    draw(read_scene(find_scene(name, folder)), result, forests, arguments.out)
+    draw(scene, result, forests, arguments.out)
     print(arguments.out)
 
 

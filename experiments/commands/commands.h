@@ -23,6 +23,8 @@ using Run = std::function<int()>;
 void addListCommand(CLI::App& app, Run& run);
 void addPlanCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
+void addSimulateCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
+void addCertifyCommand(CLI::App& app, Run& run);
 
 }  // namespace b4p

@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
+#include "experiments/certification/certificate.h"
+#include "experiments/certification/digest.h"
 #include "experiments/commands/commands.h"
 #include "experiments/planners.h"
 #include "experiments/scene.h"
+#include "robots/input_error.h"
 
 namespace b4p {
 namespace {
+
+/// What a scene's certificate says, or what is wrong with it.
+std::string certified(const Scene& scene) {
+  const std::string file = certificateFile(scene);
+  if (!std::filesystem::exists(file)) return "no certificate";
+  try {
+    const Certificate certificate = readCertificate(file);
+    if (certificate.digest != sceneDigest(scene)) return "certificate is out of date";
+    const CertificateNumbers& n = certificate.numbers;
+    return "certified: of " + std::to_string(n.sampled) + " grasps, " + std::to_string(n.valid_at_pick) +
+           " are valid at the pick, " + std::to_string(n.with_placement) + " with a placement, " +
+           std::to_string(n.compatible) + " compatible, " + std::to_string(n.blocked) + " proved blocked";
+  } catch (const InputError& e) {
+    return std::string("certificate is of no use: ") + e.what();
+  }
+}
 
 void listScenes() {
   std::cout << "Scenes\n";
@@ -18,12 +38,7 @@ void listScenes() {
     const Scene scene = loadScene(name);
     std::cout << "  " << name << ": robot " << scene.robot.file << ", budget " << scene.budget_s
               << " s, edge step " << scene.edge_step_m << " m\n    ";
-    const SceneNumbers& n = scene.numbers;
-    if (n.grasps_sampled > 0)
-      std::cout << "stated: of " << n.grasps_sampled << " grasps sampled, " << n.grasps_valid_at_pick
-                << " are valid at the pick and " << n.grasps_compatible << " compatible with a placement\n";
-    else
-      std::cout << "no numbers stated\n";
+    std::cout << certified(scene) << "\n";
   }
 }
 
@@ -48,13 +63,14 @@ void listPlanners() {
 }  // namespace
 
 void addListCommand(CLI::App& app, Run& run) {
-  app.add_subcommand("list", "Scenes with their numbers, planners with their parameters")->callback([&run] {
-    run = [] {
-      listScenes();
-      listPlanners();
-      return kSolved;
-    };
-  });
+  app.add_subcommand("list", "Scenes with what is certified, planners with their parameters")
+      ->callback([&run] {
+        run = [] {
+          listScenes();
+          listPlanners();
+          return kSolved;
+        };
+      });
 }
 
 }  // namespace b4p

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "experiments/commands/commands.h"
+#include "experiments/commands/key_values.h"
 #include "experiments/commands/progress_line.h"
 #include "experiments/commands/whole_number.h"
 #include "experiments/forest_file.h"
@@ -15,7 +16,6 @@
 #include "experiments/query.h"
 #include "experiments/scene_files/data_files.h"
 #include "experiments/verification/verifier.h"
-#include "robots/input_error.h"
 
 namespace b4p {
 namespace {
@@ -34,22 +34,10 @@ struct Options {
   std::string forests;
 };
 
-PlannerParameters parsed(const std::vector<std::string>& words) {
-  PlannerParameters parameters;
-  for (const std::string& word : words) {
-    const auto equals = word.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw InputError(kWhere, "--param", "has to be KEY=VALUE (" + word + ")");
-    if (!parameters.emplace(word.substr(0, equals), word.substr(equals + 1)).second)
-      throw InputError(kWhere, "--param", "is given twice (" + word.substr(0, equals) + ")");
-  }
-  return parameters;
-}
-
 QuerySettings settingsFrom(const Options& options, const Scene& scene) {
   QuerySettings settings;
   settings.planner = options.planner;
-  settings.parameters = parsed(options.parameters);
+  settings.parameters = keyValues(options.parameters, kWhere);
   settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
   settings.threads =
       static_cast<unsigned>(wholeNumber(options.threads, 1, kMostThreads, kWhere, "--threads"));
@@ -101,7 +89,7 @@ int plan(const Options& options) {
   PlanResult result = query.result();
   if (result.solved) result.verification = verify(scene, result);
   writeResult(options.out, result);
-  if (!options.forests.empty()) writeForests(options.forests, query.problem(), *query.planner());
+  if (!options.forests.empty()) writeForests(options.forests, scene_name, query.problem(), *query.planner());
   report(result, options.out);
   if (crashed(result)) {
     std::cerr << "b4p: " << settings.planner << " ended by an exception: " << query.planner()->crash()

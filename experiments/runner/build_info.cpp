@@ -2,7 +2,6 @@
 #include "experiments/runner/build_info.h"
 
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include <ompl/config.h>
@@ -28,15 +27,10 @@ std::string omplVersion() {
          std::to_string(OMPL_PATCH_VERSION);
 }
 
-std::string buildInfo() {
-  std::ostringstream text;
-  text << "commit: " << B4P_COMMIT << "\n"
-       << "compiler: " << B4P_COMPILER << "\n"
-       << "flags: " << B4P_FLAGS << "\n"
-       << "OMPL: " << omplVersion() << "\n"
-       << "CPU: " << cpuModel() << "\n"
-       << "cores: " << std::thread::hardware_concurrency() << "\n";
-  return text.str();
+std::map<std::string, std::string> buildInfo() {
+  return {{"commit", B4P_COMMIT}, {"compiler", B4P_COMPILER},
+          {"flags", B4P_FLAGS},   {"OMPL", omplVersion()},
+          {"CPU", cpuModel()},    {"cores", std::to_string(std::thread::hardware_concurrency())}};
 }
 
 }  // namespace b4p

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/planners.h"
+#include "experiments/run_limits.h"
+#include "experiments/scene.h"
 
 namespace b4p {
 
@@ -16,25 +19,42 @@ struct Contender {
   std::string planner;
   unsigned threads = 1;
   PlannerParameters parameters;
+  std::map<std::string, PlannerParameters> scene_parameters = {};  ///< over `parameters`, by scene as listed
+  int runs = 0;                                                    ///< per scene; 0: as the experiment says
+
+  /// Those of a scene, given as the experiment lists it.
+  PlannerParameters parametersFor(const std::string& scene) const;
 };
 
 /// A benchmark as its file describes it (experiments/*.yaml).
 struct Experiment {
   std::string file;
   std::string name;
-  int runs = 1;               ///< per scene and contender
-  double time_limit_s = 0.0;  ///< of each run
+  int runs = 1;                        ///< per scene and contender, where those do not say
+  std::optional<double> time_limit_s;  ///< of each run; none: each scene's budget_s
+  StopRule stop = StopRule::kEither;
+  /// What a check costs where the budgets come from (us): the check limit of a run is its time limit times
+  /// its threads over this.
+  std::optional<double> check_cost_us = {};
+  std::map<std::string, std::uint64_t> check_limits = {};  ///< of each run, by scene as listed
   std::uint64_t seed = 1;
   std::vector<std::string> scenes;  ///< as loadScene() takes them
   std::vector<Contender> contenders;
+  std::vector<unsigned> left_out_threads = {};  ///< asked for by the file, but more than there are cores
+
+  int runsOf(const Contender& contender) const { return contender.runs > 0 ? contender.runs : runs; }
+
+  /// @param given  the scene as listed
+  RunLimits limitsFor(const Contender& contender, const std::string& given, const Scene& scene) const;
 };
 
 /// What a command says in place of an experiment's file.
 struct ExperimentOverrides {
-  std::optional<int> runs;
+  std::optional<int> runs;  ///< of all planners
   std::optional<std::uint64_t> seed;
-  std::optional<unsigned> threads;  ///< of planners that do not state their own
+  std::vector<unsigned> threads;  ///< of planners that do not state their own; empty: the file's
   std::optional<double> time_limit_s;
+  std::vector<std::string> scenes;  ///< some of the file's, empty: all
 };
 
 /// @throws InputError naming file, key and value

@@ -1,22 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
-#include "experiments/result.h"
+#include "experiments/query.h"
+#include "experiments/run_limits.h"
 
 namespace b4p {
 
-/// One run of a benchmark, as far as tables need it.
+/// What OMPL's Benchmark recorded of one run, in the form its logs need.
+struct OmplRun {
+  std::map<std::string, std::string> common;   ///< the planner's settings
+  std::map<std::string, std::string> columns;  ///< "NAME TYPE" -> value, the project's own included
+  std::vector<std::string> progress_names;     ///< "NAME TYPE"; empty: the planner reports none
+  std::vector<std::map<std::string, std::string>> progress;  ///< a row per sample
+};
+
+/// One planned run of a benchmark, whatever came of it: all that tables, logs and a later resumption need.
 struct RunRecord {
   std::string scene;  ///< the scene's own name
   std::string label;
-  int run = 0;        ///< counted from 1
-  PlanResult result;  ///< verified where solved
+  int run = 0;  ///< counted from 1
+  std::string planner;
+  std::uint64_t seed = 0;
+  unsigned threads = 1;
+  RunLimits limits;
+
+  std::string status;  ///< OMPL's name of the planner status
+  bool solved = false;
+  bool verification_passed = false;
+  std::string verification_failure;  ///< first thing found wrong; "" where nothing is
   bool crashed = false;
   std::string crash;  ///< why
+  int grasp_id = -1;
 
-  bool verified() const { return result.solved && result.verification.passed; }
+  double time_s = 0.0;       ///< from the start of planning to its end, which is the path where solved
+  double cpu_s = 0.0;        ///< processor time of all threads meanwhile
+  double wall_s = 0.0;       ///< what the run took in all, loading and verification included
+  std::uint64_t checks = 0;  ///< configurations checked until then
+  std::uint64_t edge_checks = 0;
+  std::map<std::string, std::string> build;  ///< see buildInfo()
+  OmplRun ompl;
+
+  bool verified() const { return solved && verification_passed; }
 };
+
+/// One line of JSON, without its end.
+std::string recordLine(const RunRecord& record);
+
+/// @param where  named in errors: file and line
+/// @throws InputError
+RunRecord recordFrom(const std::string& line, const std::string& where);
 
 }  // namespace b4p

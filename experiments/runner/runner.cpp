@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -26,16 +27,8 @@ using OmplBenchmark = ompl::tools::Benchmark;
 namespace {
 
 constexpr const char* kResultsFolder = "results";
-
-QuerySettings settingsFor(const Experiment& experiment, const Contender& contender, int run) {
-  QuerySettings settings;
-  settings.planner = contender.planner;
-  settings.parameters = contender.parameters;
-  settings.threads = contender.threads;
-  settings.seed = derivedSeed(experiment.seed, static_cast<std::uint64_t>(run));
-  settings.time_limit_s = experiment.time_limit_s;
-  return settings;
-}
+constexpr const char* kRunFile = "runs.jsonl";
+constexpr const char* kSettingsFile = "experiment.json";
 
 std::string number(double value) {
   if (!std::isfinite(value)) return "nan";
@@ -60,12 +53,31 @@ OmplBenchmark::RunProperties ownColumns(const Query& query, const PlanResult& re
     columns[name] = property(*query.planner(), name);
   columns["validity checks INTEGER"] = std::to_string(query.configurationsChecked());
   columns["edge checks INTEGER"] = std::to_string(query.edgeChecks());
+  columns["cpu time REAL"] = number(query.cpu_s());
   columns["verified BOOLEAN"] = verified ? "1" : "0";
   columns["seed INTEGER"] = std::to_string(result.seed);
   columns["threads INTEGER"] = std::to_string(result.threads);
   columns["time to verified path REAL"] =
       number(verified ? result.planning_time_s : std::numeric_limits<double>::quiet_NaN());
   return columns;
+}
+
+void fill(RunRecord& record, const Query& query, const PlanResult& result) {
+  record.planner = result.planner;
+  record.seed = result.seed;
+  record.threads = result.threads;
+  record.status = result.status;
+  record.solved = result.solved;
+  record.verification_passed = result.solved && result.verification.passed;
+  record.verification_failure = result.verification.failure;
+  record.crashed = crashed(result);
+  if (record.crashed) record.crash = query.planner()->crash();
+  record.grasp_id = result.grasp_id;
+  record.time_s = result.planning_time_s;
+  record.cpu_s = query.cpu_s();
+  record.checks = query.configurationsChecked();
+  record.edge_checks = query.edgeChecks();
+  record.build = buildInfo();
 }
 
 /// Files of that kind in a folder; none where there is no such folder.
@@ -77,92 +89,165 @@ std::vector<fs::path> filesIn(const fs::path& folder, const std::string& extensi
   return files;
 }
 
-void clearFolder(const std::string& folder, bool overwrite) {
+std::vector<fs::path> earlierFiles(const fs::path& folder) {
   std::vector<fs::path> earlier = filesIn(folder, ".log");
-  for (const fs::path& file : filesIn(fs::path(folder) / kResultsFolder, ".json")) earlier.push_back(file);
-  if (!earlier.empty() && !overwrite)
-    throw InputError(folder, "",
-                     "holds logs or results of an earlier experiment (" + earlier.front().string() +
-                         "); take another folder or --overwrite");
-  for (const fs::path& file : earlier) {
-    std::error_code error;
-    if (!fs::remove(file, error)) throw InputError(file.string(), "", "cannot be removed");
-  }
+  for (const fs::path& file : filesIn(folder / kResultsFolder, ".json")) earlier.push_back(file);
+  for (const char* name : {kRunFile, kSettingsFile})
+    if (fs::exists(folder / name)) earlier.push_back(folder / name);
+  return earlier;
+}
+
+void requireNoMixing(const fs::path& folder, EarlierRuns earlier) {
+  const std::vector<fs::path> files = earlierFiles(folder);
+  if (files.empty() || earlier == EarlierRuns::kRemove) return;
+  if (earlier == EarlierRuns::kRefuse)
+    throw InputError(folder.string(), "",
+                     "holds logs or results of an earlier experiment (" + files.front().string() +
+                         "); take another folder, --resume or --overwrite");
+  if (!fs::exists(folder / kSettingsFile))
+    throw InputError(folder.string(), "",
+                     std::string("holds logs or results but no ") + kSettingsFile + ", so cannot be resumed");
 }
 
 }  // namespace
 
 BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalogue, const std::string& folder,
-                                 bool overwrite)
+                                 EarlierRuns earlier)
     : experiment_(std::move(experiment)), catalogue_(std::move(catalogue)), folder_(folder) {
-  for (const std::string& given : experiment_.scenes) {
-    scenes_.push_back({given, loadScene(given), nullptr});
-    const std::string& name = scenes_.back().scene.name;
-    if (std::count_if(scenes_.begin(), scenes_.end(),
-                      [&name](const SceneRuns& s) { return s.scene.name == name; }) > 1)
-      throw InputError(experiment_.file, "scenes", "two scenes are called '" + name + "'");
-  }
+  checkInput();
+  openFolder(earlier);
+  std::vector<Planned> planned = plan();
+  planned_ = planned.size();
+  for (auto run = planned.rbegin(); run != planned.rend(); ++run)
+    if (file_->find(scenes_[run->scene].listed.scene.name, experiment_.contenders[run->contender].label,
+                    run->number) == nullptr)
+      to_do_.push_back(*run);
   for (SceneRuns& runs : scenes_) {
-    for (const Contender& contender : experiment_.contenders) {
-      Query query(runs.scene, runs.given, catalogue_, settingsFor(experiment_, contender, 0),
-                  experiment_.file + ": planners: " + contender.label);
-    }
-    preflight(runs.scene);
+    const std::string& name = runs.listed.scene.name;
+    runs.problem = makeProblem(runs.listed.scene);
+    runs.log = std::make_unique<OmplLog>(*runs.problem.setup, name, header(),
+                                         experiment_.time_limit_s.value_or(runs.listed.scene.budget_s),
+                                         experiment_.runs, experiment_.seed);
+    for (const RunRecord& record : records())
+      if (record.scene == name) runs.log->add(record);
   }
-  clearFolder(folder_, overwrite);
-  requireWritableFolder(folder_);
-  requireWritableFolder((fs::path(folder_) / kResultsFolder).string());
+  done_ = planned_ - to_do_.size();
+  left_ = left();
 }
 
-std::size_t BenchmarkRunner::plannedRuns() const {
-  return scenes_.size() * experiment_.contenders.size() * static_cast<std::size_t>(experiment_.runs);
+void BenchmarkRunner::checkInput() {
+  for (const std::string& given : experiment_.scenes) {
+    scenes_.push_back({{given, loadScene(given)}, {}, nullptr});
+    const std::string& name = scenes_.back().listed.scene.name;
+    if (std::count_if(scenes_.begin(), scenes_.end(),
+                      [&name](const SceneRuns& s) { return s.listed.scene.name == name; }) > 1)
+      throw InputError(experiment_.file, "scenes", "two scenes are called '" + name + "'");
+  }
+  for (std::size_t scene = 0; scene < scenes_.size(); ++scene) {
+    const ListedScene& listed = scenes_[scene].listed;
+    for (std::size_t i = 0; i < experiment_.contenders.size(); ++i)
+      Query(listed.scene, listed.given, catalogue_, settingsFor({scene, i, 0}),
+            experiment_.file + ": planners: " + experiment_.contenders[i].label);
+    preflight(listed.scene);
+  }
+}
+
+void BenchmarkRunner::openFolder(EarlierRuns earlier) {
+  const fs::path folder(folder_);
+  requireNoMixing(folder, earlier);
+  if (earlier == EarlierRuns::kRemove)
+    for (const fs::path& file : earlierFiles(folder)) {
+      std::error_code error;
+      if (!fs::remove(file, error)) throw InputError(file.string(), "", "cannot be removed");
+    }
+  requireWritableFolder(folder_);
+  requireWritableFolder((folder / kResultsFolder).string());
+  std::vector<ListedScene> listed;
+  for (const SceneRuns& runs : scenes_) listed.push_back(runs.listed);
+  recorded_contenders_ = reconcileSettings((folder / kSettingsFile).string(), experiment_, listed);
+  file_ = std::make_unique<RunFile>((folder / kRunFile).string());
+}
+
+std::vector<BenchmarkRunner::Planned> BenchmarkRunner::plan() const {
+  int most_runs = 0;
+  for (const Contender& contender : experiment_.contenders)
+    most_runs = std::max(most_runs, experiment_.runsOf(contender));
+  std::vector<Planned> planned;
+  for (int number = 1; number <= most_runs; ++number)
+    for (std::size_t scene = 0; scene < scenes_.size(); ++scene)
+      for (std::size_t i = 0; i < experiment_.contenders.size(); ++i)
+        if (number <= experiment_.runsOf(experiment_.contenders[i])) planned.push_back({scene, i, number});
+  return planned;
+}
+
+RunLimits BenchmarkRunner::limitsOf(const Planned& run) const {
+  const ListedScene& listed = scenes_[run.scene].listed;
+  return experiment_.limitsFor(experiment_.contenders[run.contender], listed.given, listed.scene);
+}
+
+QuerySettings BenchmarkRunner::settingsFor(const Planned& run) const {
+  const Contender& contender = experiment_.contenders[run.contender];
+  const RunLimits limits = limitsOf(run);
+  QuerySettings settings;
+  settings.planner = contender.planner;
+  settings.parameters = contender.parametersFor(scenes_[run.scene].listed.given);
+  settings.threads = contender.threads;
+  settings.seed = derivedSeed(experiment_.seed, static_cast<std::uint64_t>(run.number));
+  settings.time_limit_s = limits.time_s;
+  settings.check_limit = limits.checks;
+  settings.stop = limits.stop;
+  return settings;
 }
 
 void BenchmarkRunner::run() {
-  start_ = std::chrono::steady_clock::now();
-  for (SceneRuns& runs : scenes_)
-    for (int number = 1; number <= experiment_.runs; ++number)
-      for (const Contender& contender : experiment_.contenders) {
-        if (interrupted()) return;
-        announce(runs.scene.name + " " + contender.label);
-        runOne(runs, contender, number);
-      }
-}
-
-void BenchmarkRunner::runOne(SceneRuns& runs, const Contender& contender, int number) {
-  Query query(runs.scene, runs.given, catalogue_, settingsFor(experiment_, contender, number),
-              experiment_.file);
-  RunRecord record;
-  record.scene = runs.scene.name;
-  record.label = contender.label;
-  record.run = number;
-  const auto recorded = benchmark(query, runs.scene.name, record.result);
-  if (interrupted() && !record.result.solved) return;
-  record.crashed = crashed(record.result);
-  if (record.crashed) record.crash = query.planner()->crash();
-
-  if (!runs.log)
-    runs.log = std::make_unique<OmplLog>(*query.problem().setup, runs.scene.name, header(),
-                                         experiment_.time_limit_s, experiment_.runs, experiment_.seed);
-  runs.log->add(contender.label, recorded, ownColumns(query, record.result));
-  if (record.result.solved) writeResult(resultFile(record), record.result);
-  writeFile((fs::path(folder_) / (runs.scene.name + ".log")).string(), runs.log->text());
-  records_.push_back(std::move(record));
+  while (!to_do_.empty() && !interrupted()) {
+    const Planned next = to_do_.back();
+    announce(scenes_[next.scene].listed.scene.name + " " + experiment_.contenders[next.contender].label);
+    runOne(next);
+  }
+  for (SceneRuns& runs : scenes_) writeLog(runs);
   writeSummary();
-  const std::lock_guard<std::mutex> lock(progress_mutex_);
-  done_ = records_.size();
 }
 
-OmplBenchmark::CompleteExperiment BenchmarkRunner::benchmark(Query& query, const std::string& name,
+void BenchmarkRunner::runOne(const Planned& run) {
+  const auto start = std::chrono::steady_clock::now();
+  SceneRuns& runs = scenes_[run.scene];
+  const QuerySettings settings = settingsFor(run);
+  Query query(runs.listed.scene, runs.listed.given, catalogue_, settings, experiment_.file);
+  PlanResult result;
+  RunRecord record;
+  record.limits = limitsOf(run);
+  const auto recorded = benchmark(query, record.limits, result);
+  if (interrupted() && !result.solved) return;
+
+  record.scene = runs.listed.scene.name;
+  record.label = experiment_.contenders[run.contender].label;
+  record.run = run.number;
+  fill(record, query, result);
+  record.ompl = omplRun(recorded, ownColumns(query, result));
+  if (result.solved) writeResult(resultFile(record), result);
+  record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  file_->append(record);
+  runs.log->add(record);
+  to_do_.pop_back();
+  {
+    const std::lock_guard<std::mutex> lock(progress_mutex_);
+    ++done_;
+    left_ = left();
+  }
+  writeLog(runs);
+  writeSummary();
+}
+
+OmplBenchmark::CompleteExperiment BenchmarkRunner::benchmark(Query& query, const RunLimits& limits,
                                                              PlanResult& result) const {
-  constexpr double kNoMemoryLimit_MB = 1e6;
   constexpr double kProgressSamples = 200.0;
   constexpr double kFinestProgress_s = 0.005;
-  OmplBenchmark benchmark(*query.problem().setup, name);
+  OmplBenchmark benchmark(*query.problem().setup, query.problem().scene.name);
   benchmark.addPlanner(query.planner());
-  // OMPL's own limit is only a net below the exact one.
-  OmplBenchmark::Request request(2.0 * experiment_.time_limit_s + 1.0, kNoMemoryLimit_MB, 1);
-  request.timeBetweenUpdates = std::max(kFinestProgress_s, experiment_.time_limit_s / kProgressSamples);
+  // OMPL's own limit is only a net below the exact ones.
+  OmplBenchmark::Request request(2.0 * limits.longest_s() + 1.0, kNoMemoryLimit_MB, 1);
+  request.timeBetweenUpdates = std::max(kFinestProgress_s, limits.time_s / kProgressSamples);
   request.displayProgress = false;
   request.saveConsoleOutput = false;
   request.simplify = false;
@@ -178,6 +263,11 @@ OmplBenchmark::CompleteExperiment BenchmarkRunner::benchmark(Query& query, const
   return benchmark.getRecordedExperimentData();
 }
 
+void BenchmarkRunner::writeLog(SceneRuns& runs) const {
+  if (runs.log->empty()) return;
+  writeFile((fs::path(folder_) / (runs.listed.scene.name + ".log")).string(), runs.log->text());
+}
+
 std::string BenchmarkRunner::resultFile(const RunRecord& record) const {
   return (fs::path(folder_) / kResultsFolder /
           (record.scene + "-" + record.label + "-" + std::to_string(record.run) + ".json"))
@@ -186,16 +276,33 @@ std::string BenchmarkRunner::resultFile(const RunRecord& record) const {
 
 std::string BenchmarkRunner::header() const {
   std::ostringstream text;
-  text << buildInfo() << "experiment: " << experiment_.name << "\n"
-       << "time limit per run: " << experiment_.time_limit_s << " s\n"
-       << "seed: " << experiment_.seed << "\n";
-  for (const Contender& contender : experiment_.contenders) {
+  for (const auto& [key, value] : buildInfo()) text << key << ": " << value << "\n";
+  text << "experiment: " << experiment_.name << "\n";
+  if (experiment_.time_limit_s)
+    text << "time limit per run: " << *experiment_.time_limit_s << " s\n";
+  else
+    for (const SceneRuns& runs : scenes_)
+      text << "time limit per run on " << runs.listed.scene.name << ": " << runs.listed.scene.budget_s
+           << " s\n";
+  if (experiment_.check_cost_us)
+    text << "check limit per run: the time limit x threads / " << *experiment_.check_cost_us << " us\n";
+  for (const auto& [scene, checks] : experiment_.check_limits)
+    text << "check limit per run on " << scene << ": " << checks << "\n";
+  if (experiment_.check_cost_us || !experiment_.check_limits.empty())
+    text << "a run ends when it has reached " << (experiment_.stop == StopRule::kBoth ? "both" : "one")
+         << " of its limits\n";
+  text << "seed: " << experiment_.seed << "\n";
+  int most_runs = 0;
+  for (const Contender& contender : recorded_contenders_) {
+    most_runs = std::max(most_runs, contender.runs);
     text << contender.label << ": " << contender.planner << ", threads " << contender.threads;
     for (const auto& [name, value] : contender.parameters) text << ", " << name << " " << value;
+    for (const auto& [scene, parameters] : contender.scene_parameters)
+      for (const auto& [name, value] : parameters) text << ", " << name << " " << value << " on " << scene;
     text << "\n";
   }
   text << "seeds of the runs:";
-  for (int run = 1; run <= experiment_.runs; ++run)
+  for (int run = 1; run <= most_runs; ++run)
     text << ' ' << derivedSeed(experiment_.seed, static_cast<std::uint64_t>(run));
   text << "\n";
   return text.str();
@@ -204,46 +311,68 @@ std::string BenchmarkRunner::header() const {
 void BenchmarkRunner::announce(const std::string& what) {
   const std::lock_guard<std::mutex> lock(progress_mutex_);
   current_ = what;
+  current_start_ = std::chrono::steady_clock::now();
+}
+
+TimeLeft BenchmarkRunner::left() const {
+  std::vector<RunToDo> to_do;
+  for (const Planned& run : to_do_)
+    to_do.push_back(
+        {scenes_[run.scene].listed.scene.name, experiment_.contenders[run.contender].label, limitsOf(run)});
+  return timeLeft(to_do, records());
 }
 
 std::string BenchmarkRunner::progress() const {
   const std::lock_guard<std::mutex> lock(progress_mutex_);
-  const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const auto left = static_cast<double>(plannedRuns() - done_);
+  const double elapsed_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - current_start_).count();
   std::ostringstream text;
-  text << "run " << done_ + 1 << " of " << plannedRuns() << " (" << current_ << "), ";
-  if (done_ > 0)
-    text << "about " << std::lround(elapsed_s / static_cast<double>(done_) * left) << " s left";
-  else
-    text << "at most " << std::lround(left * experiment_.time_limit_s) << " s left";
+  text << "run " << done_ + 1 << " of " << planned_ << " (" << current_ << "), about "
+       << durationText(left_.about_s - elapsed_s) << " left, at most "
+       << durationText(left_.at_most_s - elapsed_s);
+  return text.str();
+}
+
+std::string BenchmarkRunner::outlook() const {
+  std::ostringstream text;
+  text << done_ << " of " << planned_ << " planned runs recorded";
+  if (!to_do_.empty())
+    text << "; the others take about " << durationText(left_.about_s) << ", at most "
+         << durationText(left_.at_most_s);
+  if (!experiment_.left_out_threads.empty()) {
+    text << "; left out, since there are not as many cores: threads";
+    for (const unsigned threads : experiment_.left_out_threads) text << ' ' << threads;
+  }
   return text.str();
 }
 
 bool BenchmarkRunner::anyFailedVerification() const {
-  return std::any_of(records_.begin(), records_.end(),
-                     [](const RunRecord& r) { return r.result.solved && !r.verified(); });
+  return std::any_of(records().begin(), records().end(),
+                     [](const RunRecord& r) { return r.solved && !r.verified(); });
 }
 
 bool BenchmarkRunner::anyCrashed() const {
-  return std::any_of(records_.begin(), records_.end(), [](const RunRecord& r) { return r.crashed; });
+  return std::any_of(records().begin(), records().end(), [](const RunRecord& r) { return r.crashed; });
 }
 
 bool BenchmarkRunner::anySolved() const {
-  return std::any_of(records_.begin(), records_.end(), [](const RunRecord& r) { return r.result.solved; });
+  return std::any_of(records().begin(), records().end(), [](const RunRecord& r) { return r.solved; });
 }
 
-std::string BenchmarkRunner::report() const { return summaryTables(experiment_, records_); }
+std::string BenchmarkRunner::report() const { return summaryTables(recorded_contenders_, records()); }
 
 void BenchmarkRunner::writeSummary() const {
+  std::map<std::string, int> builds;
+  for (const RunRecord& record : records()) ++builds[record.build.at("commit")];
   std::ostringstream text;
   text << "# " << experiment_.name << "\n\n"
-       << records_.size() << " of " << plannedRuns() << " planned runs recorded, at most "
-       << experiment_.time_limit_s
-       << " s each. Times run from the start of planning (drawing of start states included) to the path, for "
-          "runs whose path was verified; all "
-          "other runs count as longer than the limit.\n\n"
+       << outlook()
+       << ".\n\nTimes run from the start of planning (drawing of start states included) to the path, for "
+          "runs whose path was verified; all other runs count as longer than the limit.\n\n"
        << report() << "```\n"
-       << header() << "```\n";
+       << header();
+  for (const auto& [commit, runs] : builds) text << "runs made by commit " << commit << ": " << runs << "\n";
+  text << "```\n";
   writeFile((fs::path(folder_) / "summary.md").string(), text.str());
 }
 

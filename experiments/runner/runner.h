@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -11,32 +12,45 @@
 #include "experiments/query.h"
 #include "experiments/runner/experiment.h"
 #include "experiments/runner/ompl_log.h"
-#include "experiments/runner/run_record.h"
-#include "experiments/scene.h"
+#include "experiments/runner/run_file.h"
+#include "experiments/runner/settings_file.h"
+#include "experiments/runner/time_left.h"
 
 namespace b4p {
 
-/// Runs an experiment, one OMPL Benchmark per planned run, run 1 of every contender before run 2 of any,
-/// since machines are noisy. Each run has a seed derived from (experiment's seed, number of the run), the
-/// same for all contenders, a fresh problem, and an exact time limit. After each run the folder holds,
-/// complete: SCENE.log in OMPL's format, summary.md, and in results/ a verified result file per solved run.
+/// What becomes of an earlier benchmark that the folder holds already.
+enum class EarlierRuns {
+  kRefuse,  ///< an error: it would mix with the new one
+  kRemove,
+  kResume,  ///< runs that are recorded are kept and not repeated; the settings have to be the same
+};
+
+/// Runs an experiment, one OMPL Benchmark per planned run, run 1 of every contender on every scene before run
+/// 2 of any, since machines are noisy. Each run has a seed derived from (experiment's seed, number of the
+/// run), the same for all contenders, a fresh problem, and exact limits. A run that has ended is in
+/// runs.jsonl, and its result file in results/ where solved, before the next begins; from these SCENE.log in
+/// OMPL's format and summary.md are made, complete after each run. So whatever ends the process costs the run
+/// under way at most.
 class BenchmarkRunner {
  public:
   /// Finds out everything that may be wrong with the input before any planning.
-  /// @param overwrite  whether logs and result files that the folder holds already (*.log, results/*.json)
-  ///   are removed; else they are refused, since they would mix with the new ones
   /// @throws InputError
   BenchmarkRunner(Experiment experiment, PlannerCatalogue catalogue, const std::string& folder,
-                  bool overwrite = false);
+                  EarlierRuns earlier = EarlierRuns::kRefuse);
 
-  /// All runs, or those up to an interrupt (see interrupt.h); the run under way is then dropped.
+  /// All runs that are not recorded yet, or those up to an interrupt (see interrupt.h); the run under way is
+  /// then dropped.
   void run();
 
   /// What is going on and for how long still. Any thread may ask.
   std::string progress() const;
 
-  const std::vector<RunRecord>& records() const { return records_; }
-  std::size_t plannedRuns() const;
+  /// What there is to do, in one line.
+  std::string outlook() const;
+
+  /// All runs in the folder, in the order they were made, earlier ones included.
+  const std::vector<RunRecord>& records() const { return file_->records(); }
+  std::size_t plannedRuns() const { return planned_; }
   bool anyFailedVerification() const;
   bool anyCrashed() const;
   bool anySolved() const;
@@ -46,29 +60,44 @@ class BenchmarkRunner {
 
  private:
   struct SceneRuns {
-    std::string given;  ///< name or path
-    Scene scene;
+    ListedScene listed;
+    Problem problem;  ///< lends OMPL's log its set-up
     std::unique_ptr<OmplLog> log;
   };
+  struct Planned {
+    std::size_t scene, contender;  ///< indices
+    int number;                    ///< counted from 1
+  };
 
-  void runOne(SceneRuns& runs, const Contender& contender, int number);
-  ompl::tools::Benchmark::CompleteExperiment benchmark(Query& query, const std::string& name,
+  void checkInput();
+  void openFolder(EarlierRuns earlier);
+  std::vector<Planned> plan() const;
+  RunLimits limitsOf(const Planned& run) const;
+  QuerySettings settingsFor(const Planned& run) const;
+  void runOne(const Planned& run);
+  ompl::tools::Benchmark::CompleteExperiment benchmark(Query& query, const RunLimits& limits,
                                                        PlanResult& result) const;
+  void writeLog(SceneRuns& runs) const;
+  void writeSummary() const;
   std::string resultFile(const RunRecord& record) const;
   std::string header() const;
   void announce(const std::string& what);
-  void writeSummary() const;
+  TimeLeft left() const;
 
   Experiment experiment_;
   PlannerCatalogue catalogue_;
   std::string folder_;
   std::vector<SceneRuns> scenes_;
-  std::vector<RunRecord> records_;
+  std::vector<Contender> recorded_contenders_;  ///< those of earlier runs in the folder included
+  std::unique_ptr<RunFile> file_;
+  std::size_t planned_ = 0;
+  std::vector<Planned> to_do_;  ///< not recorded yet, the next one last
 
   mutable std::mutex progress_mutex_;
   std::string current_;
   std::size_t done_ = 0;
-  std::chrono::steady_clock::time_point start_;
+  TimeLeft left_;
+  std::chrono::steady_clock::time_point current_start_;
 };
 
 }  // namespace b4p

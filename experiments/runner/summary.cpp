@@ -34,32 +34,31 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-std::string row(const Contender& contender, const std::vector<const RunRecord*>& runs, double limit_s) {
+std::string row(const Contender& contender, const std::vector<const RunRecord*>& runs) {
+  const double limit_s = runs.front()->limits.time_s;
   std::vector<double> times;
   int solved = 0, verified = 0, crashed = 0;
   std::set<int> grasps;
   for (const RunRecord* run : runs) {
-    solved += run->result.solved;
+    solved += run->solved;
     verified += run->verified();
     crashed += run->crashed;
-    if (run->verified()) grasps.insert(run->result.grasp_id);
-    times.push_back(run->verified() ? run->result.planning_time_s : std::numeric_limits<double>::infinity());
+    if (run->verified()) grasps.insert(run->grasp_id);
+    times.push_back(run->verified() ? run->time_s : std::numeric_limits<double>::infinity());
   }
   std::sort(times.begin(), times.end());
   std::ostringstream text;
   text << "| " << contender.label << " | " << contender.planner << " | " << contender.threads << " | "
        << solved << " of " << runs.size() << " | " << verified << " of " << solved << " | " << crashed
-       << " | " << (runs.empty() ? "" : seconds(quantile(times, 0.5), limit_s)) << " | "
-       << (runs.empty()
-               ? ""
-               : seconds(quantile(times, 0.25), limit_s) + " ... " + seconds(quantile(times, 0.75), limit_s))
-       << " | " << grasps.size() << " |\n";
+       << " | " << seconds(quantile(times, 0.5), limit_s) << " | "
+       << seconds(quantile(times, 0.25), limit_s) + " ... " + seconds(quantile(times, 0.75), limit_s) << " | "
+       << grasps.size() << " |\n";
   return text.str();
 }
 
 }  // namespace
 
-std::string summaryTables(const Experiment& experiment, const std::vector<RunRecord>& records) {
+std::string summaryTables(const std::vector<Contender>& contenders, const std::vector<RunRecord>& records) {
   std::vector<std::string> scenes;
   for (const RunRecord& record : records)
     if (std::find(scenes.begin(), scenes.end(), record.scene) == scenes.end()) scenes.push_back(record.scene);
@@ -69,11 +68,11 @@ std::string summaryTables(const Experiment& experiment, const std::vector<RunRec
          << "| label | planner | threads | solved | verified | crashed | median (s) | quartiles (s) | grasps "
             "used |\n"
          << "|---|---|---|---|---|---|---|---|---|\n";
-    for (const Contender& contender : experiment.contenders) {
+    for (const Contender& contender : contenders) {
       std::vector<const RunRecord*> runs;
       for (const RunRecord& record : records)
         if (record.scene == scene && record.label == contender.label) runs.push_back(&record);
-      text << row(contender, runs, experiment.time_limit_s);
+      if (!runs.empty()) text << row(contender, runs);
     }
     text << "\n";
     for (const RunRecord& record : records)

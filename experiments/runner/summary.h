@@ -12,6 +12,6 @@ namespace b4p {
 /// A table per scene in Markdown: solved of runs, verified of solved, median and quartiles of the time to a
 /// verified path, where a run without one counts as longer than the limit. Below it, why
 /// runs crashed.
-std::string summaryTables(const Experiment& experiment, const std::vector<RunRecord>& records);
+std::string summaryTables(const std::vector<Contender>& contenders, const std::vector<RunRecord>& records);
 
 }  // namespace b4p

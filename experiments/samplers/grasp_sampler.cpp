@@ -24,10 +24,8 @@ Eigen::Matrix3d toolAxes(const Eigen::Vector3d& approach, const Eigen::Vector3d&
   return axes;
 }
 
-}  // namespace
-
-PolygonEdgeGraspSampler::PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m,
-                                                 double clearance_m) {
+std::vector<Grasp> edgeGrasps(const std::vector<Eigen::Vector2d>& polygon_m, double clearance_m) {
+  std::vector<Grasp> grasps;
   for (std::size_t i = 0; i < polygon_m.size(); ++i) {
     const Eigen::Vector2d& a = polygon_m[i];
     const Eigen::Vector2d& b = polygon_m[(i + 1) % polygon_m.size()];
@@ -37,13 +35,20 @@ PolygonEdgeGraspSampler::PolygonEdgeGraspSampler(const std::vector<Eigen::Vector
     grasp.X_OT.linear() = toolAxes(inward, Eigen::Vector3d::UnitZ().cross(inward));
     const Eigen::Vector2d middle = (a + b) / 2.0;
     grasp.X_OT.translation() = Eigen::Vector3d(middle.x(), middle.y(), 0.0) - clearance_m * inward;
-    grasps_.push_back(grasp);
+    grasps.push_back(grasp);
   }
+  return grasps;
 }
 
-Grasp PolygonEdgeGraspSampler::sample(std::mt19937_64& random) const {
+}  // namespace
+
+Grasp ListedGraspSampler::sample(std::mt19937_64& random) const {
   return grasps_[static_cast<std::size_t>(uniformIndex(random, grasps_.size()))];
 }
+
+PolygonEdgeGraspSampler::PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m,
+                                                 double clearance_m)
+    : ListedGraspSampler(edgeGrasps(polygon_m, clearance_m)) {}
 
 BoxGraspSampler::BoxGraspSampler(const Eigen::Vector3d& size_m, double finger_depth_m, double pad_clearance_m,
                                  double max_opening_m)

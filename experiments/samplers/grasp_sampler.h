@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "experiments/scene.h"
@@ -22,16 +23,22 @@ class GraspSampler {
   virtual Grasp sample(std::mt19937_64& random) const = 0;
 };
 
-/// Grasp i presses the gripper's front against the middle of edge i (corner i to corner i + 1) of a polygon
-/// in the x-y plane of O, along the inward normal; the TCP stays `clearance_m` outside.
-class PolygonEdgeGraspSampler : public GraspSampler {
+/// A finite family: the grasps given.
+class ListedGraspSampler : public GraspSampler {
  public:
-  PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m, double clearance_m);
+  explicit ListedGraspSampler(std::vector<Grasp> grasps) : grasps_(std::move(grasps)) {}
   const std::vector<Grasp>& all() const override { return grasps_; }
   Grasp sample(std::mt19937_64& random) const override;
 
  private:
   std::vector<Grasp> grasps_;
+};
+
+/// Grasp i presses the gripper's front against the middle of edge i (corner i to corner i + 1) of a polygon
+/// in the x-y plane of O, along the inward normal; the TCP stays `clearance_m` outside.
+class PolygonEdgeGraspSampler : public ListedGraspSampler {
+ public:
+  PolygonEdgeGraspSampler(const std::vector<Eigen::Vector2d>& polygon_m, double clearance_m);
 };
 
 /// Parallel gripper on a box centred in O. The pads close on two opposite faces that fit between them. The

@@ -100,16 +100,6 @@ PlacementSource readPlacement(const YamlValue& placement) {
   return source;
 }
 
-SceneNumbers readNumbers(const YamlValue& numbers) {
-  constexpr int kMost = 1000000;
-  numbers.allowKeys({"grasps_sampled", "grasps_valid_at_pick", "grasps_compatible"});
-  SceneNumbers result;
-  result.grasps_sampled = numbers["grasps_sampled"].integer(0, kMost);
-  result.grasps_valid_at_pick = numbers["grasps_valid_at_pick"].integer(0, result.grasps_sampled);
-  result.grasps_compatible = numbers["grasps_compatible"].integer(0, result.grasps_valid_at_pick);
-  return result;
-}
-
 void readSettings(const YamlValue& document, Scene& scene) {
   scene.edge_step_m = document["edge_step_m"].number(kFinestStep_m, kCoarsestStep_m);
   const YamlValue clearance = document["contact_clearance_m"];
@@ -126,7 +116,7 @@ Scene loadScene(const std::string& name_or_path) {
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSceneSchema);
   document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m",
-                      "budget_s", "obstacles", "object", "grasps", "placement", "numbers"});
+                      "budget_s", "obstacles", "object", "grasps", "placement"});
   Scene scene;
   scene.file = file;
   scene.name = document["name"].word();
@@ -140,7 +130,6 @@ Scene loadScene(const std::string& name_or_path) {
   readObject(document["object"], scene);
   scene.grasps = readGrasps(document["grasps"], scene.robot.description.max_opening_m);
   scene.placement = readPlacement(document["placement"]);
-  if (const auto numbers = document.find("numbers")) scene.numbers = readNumbers(*numbers);
   return scene;
 }
 

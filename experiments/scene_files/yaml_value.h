@@ -25,6 +25,10 @@ class YamlValue {
   /// Requires a mapping without duplicate keys and without keys other than these.
   void allowKeys(const std::vector<const char*>& keys) const;
 
+  bool isList() const { return node_.IsSequence(); }
+  bool isMapping() const { return node_.IsMap(); }
+  bool isWord(const std::string& word) const { return node_.IsScalar() && node_.Scalar() == word; }
+
   bool has(const std::string& key) const;
   YamlValue operator[](const std::string& key) const;  ///< a key that has to be there
   std::optional<YamlValue> find(const std::string& key) const;

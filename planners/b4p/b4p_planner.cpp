@@ -11,6 +11,8 @@ B4P::B4P(const ompl::base::SpaceInformationPtr& si) : ParametrisedPlanner(si, "B
   declare("pick_roots", &B4PParameters::pick_roots, "1:1:1024");
   declare("place_roots", &B4PParameters::place_roots, "1:1:1024");
   declare("restart_iterations", &B4PParameters::restart_iterations, "0:1:1000000000");
+  declare("relaxed", &B4PParameters::relaxed, "0,1");
+  declare("repair", &B4PParameters::repair, "0,1");
   declare("range", &B4PParameters::range, "0.:0.01:10000.");
   declare("slice", &B4PParameters::slice, "1:1:100000");
   declare("root_attempts", &B4PParameters::root_attempts, "1:1:10000");

@@ -29,19 +29,18 @@ void DefaultWorker::rest() {
 }
 
 void DefaultWorker::endTurn(bool fruitful) {
-  search().schedule().giveBack(*turn_, fruitful);
+  share(search().log(),
+        [&schedule = search().schedule(), turn = *turn_, fruitful] { schedule.giveBack(turn, fruitful); });
   turn_.reset();
 }
 
 // New forests are worth a turn of their own once both their sides have a root.
 void DefaultWorker::drawRoots() {
   if (search().region() == nullptr) return endTurn(search().plantGoal());
-  const std::size_t picks = search().rootCount(Side::kPick);
-  const GraspId grasp = drawPick();
-  if (grasp == kNoGrasp) return;
-  const bool is_new = search().rootCount(Side::kPick) > picks;
-  const bool placed = placeTreeFor(region().samplePlacement(), grasp) != nullptr;
-  if (is_new && placed) endTurn(true);
+  const Pick pick = drawPick();
+  if (pick.grasp == kNoGrasp) return;
+  const bool placed = placeTreeFor(region().samplePlacement(), pick.grasp) != nullptr;
+  if (pick.is_new && placed) endTurn(true);
 }
 
 void DefaultWorker::seekPlaceRoot() {
@@ -60,7 +59,7 @@ void DefaultWorker::grow(ForestPair& forests) {
   if (growth.grown == nullptr) return;
   countOne(search().statistics().connections_tried);
   if (growth.junction && search().rootsMatch(*growth.junction)) return search().publish(*growth.junction);
-  if (search().region() != nullptr) joinAcrossGrasps(growth.grown);
+  if (search().region() != nullptr && search().parameters().relaxed) joinAcrossGrasps(growth.grown);
 }
 
 const ob::State* DefaultWorker::anyRoot(const ForestPair& forests, Side side) {
@@ -86,16 +85,22 @@ const Tree* DefaultWorker::placeTreeFor(PlacementId placement, GraspId grasp) {
   if (const auto known = search().memory().placeTree(placement, grasp)) return *known;
   const Tree* tree = nullptr;
   if (derivePlaceRoot(placement, grasp)) tree = search().plant(Side::kPlace, root(), grasp, placement);
-  search().memory().setPlaceTree(placement, grasp, tree);
+  share(search().log(), [&memory = search().memory(), placement, grasp, tree] {
+    memory.setPlaceTree(placement, grasp, tree);
+  });
   return tree;
 }
 
 void DefaultWorker::salvage(const PathRepair& repair) {
-  search().memory().repairFailed(repair.junction().pick->tree, repair.junction().place->tree);
+  discard(repair.junction());
   transplant(Side::kPick, repair.freePrefix());
   og::PathGeometric suffix = repair.freeSuffix();
   suffix.reverse();
   transplant(Side::kPlace, suffix);
+}
+
+void DefaultWorker::discard(const Junction& junction) {
+  search().memory().repairFailed(junction.pick->tree, junction.place->tree);
 }
 
 // The path starts at a root or leaves a tree at a state that is already in it.

@@ -20,6 +20,7 @@ class DefaultWorker : public Worker {
  protected:
   void advance() override;
   void salvage(const PathRepair& repair) override;
+  void discard(const Junction& junction) override;
 
  private:
   void takeTurn();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/b4p/forest.h"
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -10,12 +11,22 @@ namespace b4p {
 
 namespace ob = ompl::base;
 
-NodeIndex::NodeIndex(const StateDistance& distance) : nodes_(new ompl::NearestNeighborsGNAT<const Node*>) {
+NodeIndex::NodeIndex(const StateDistance& distance, PublicationLog* log)
+    : distance_(distance), log_(log), nodes_(new ompl::NearestNeighborsGNAT<const Node*>) {
   nodes_->setDistanceFunction(
       [distance](const Node* a, const Node* b) { return distance(a->state, b->state); });
 }
 
 void NodeIndex::add(const Node* node) {
+  if (log_ != nullptr && log_->recording()) {
+    if (step_ != log_->step()) unshared_.clear();
+    step_ = log_->step();
+    unshared_.push_back(node);
+  }
+  share(log_, [this, node] { insert(node); });
+}
+
+void NodeIndex::insert(const Node* node) {
   std::unique_lock<std::shared_mutex> lock(mutex_);
   nodes_->add(node);
 }
@@ -23,39 +34,58 @@ void NodeIndex::add(const Node* node) {
 const Node* NodeIndex::nearest(const ob::State* state) const {
   const Node query{state, nullptr, nullptr};
   std::shared_lock<std::shared_mutex> lock(mutex_);
-  return nodes_->size() == 0 ? nullptr : nodes_->nearest(&query);
+  const Node* near = nodes_->size() == 0 ? nullptr : nodes_->nearest(&query);
+  const bool more = log_ != nullptr && log_->recording() && step_ == log_->step();
+  return more ? nearerOfThisStep(near, state) : near;
+}
+
+const Node* NodeIndex::nearerOfThisStep(const Node* shared, const ob::State* state) const {
+  const Node* near = shared;
+  for (const Node* node : unshared_)
+    if (near == nullptr || distance_(node->state, state) < distance_(near->state, state)) near = node;
+  return near;
 }
 
 ForestPair::ForestPair(ob::SpaceInformationPtr si, const StateDistance& distance, GraspId grasp,
-                       std::array<NodeIndex, 2>* everywhere)
+                       std::array<NodeIndex, 2>* everywhere, PublicationLog* log)
     : si_(std::move(si)),
       grasp_(grasp),
       everywhere_(everywhere),
-      nodes_{NodeIndex(distance), NodeIndex(distance)} {}
+      log_(log),
+      nodes_{NodeIndex(distance, log), NodeIndex(distance, log)} {}
 
 ForestPair::~ForestPair() {
   for (const Node& node : storage_) si_->freeState(const_cast<ob::State*>(node.state));
 }
 
 Tree* ForestPair::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
-  Tree* tree = nullptr;
-  {
-    std::unique_lock<std::shared_mutex> lock(mutex_);
-    auto& trees = trees_[index(side)];
-    for (const Tree& present : trees)
-      if (present.grasp == grasp && si_->equalStates(present.root->state, root)) return nullptr;
-    storage_.push_back(Node{si_->cloneState(root), nullptr, nullptr});
-    trees.emplace_back();
-    tree = &trees.back();
-    tree->side = side;
-    tree->grasp = grasp;
-    tree->placement = placement;
-    tree->root = &storage_.back();
-    tree->home = this;
-    tree->root->tree = tree;
-  }
-  nodes_[index(side)].add(tree->root);
-  if (everywhere_ != nullptr) (*everywhere_)[index(side)].add(tree->root);
+  std::unique_lock<std::shared_mutex> lock(mutex_);
+  if (hasRoot(side, root, grasp)) return nullptr;
+  Tree* tree = makeTree(side, root, grasp, placement);
+  share(log_, [this, tree] {
+    if (hasRoot(tree->side, tree->root->state, tree->grasp)) return;
+    trees_[index(tree->side)].push_back(tree);
+    join(tree->root);
+  });
+  return tree;
+}
+
+bool ForestPair::hasRoot(Side side, const ob::State* root, GraspId grasp) const {
+  const auto& trees = trees_[index(side)];
+  return std::any_of(trees.begin(), trees.end(), [&](const Tree* tree) {
+    return tree->grasp == grasp && si_->equalStates(tree->root->state, root);
+  });
+}
+
+Tree* ForestPair::makeTree(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
+  storage_.push_back(Node{si_->cloneState(root), nullptr, nullptr});
+  Tree* tree = &tree_storage_.emplace_back();
+  tree->side = side;
+  tree->grasp = grasp;
+  tree->placement = placement;
+  tree->root = &storage_.back();
+  tree->home = this;
+  tree->root->tree = tree;
   return tree;
 }
 
@@ -68,9 +98,14 @@ const Node* ForestPair::grow(const Node* parent, const ob::State* state) {
     node = &storage_.back();
   }
   tree->size.fetch_add(1, std::memory_order_relaxed);
-  nodes_[index(tree->side)].add(node);
-  if (everywhere_ != nullptr) (*everywhere_)[index(tree->side)].add(node);
+  join(node);
   return node;
+}
+
+void ForestPair::join(const Node* node) {
+  const std::size_t side = index(node->tree->side);
+  nodes_[side].add(node);
+  if (everywhere_ != nullptr) (*everywhere_)[side].add(node);
 }
 
 std::size_t ForestPair::treeCount(Side side) const {
@@ -80,9 +115,7 @@ std::size_t ForestPair::treeCount(Side side) const {
 
 std::vector<Tree*> ForestPair::trees(Side side) const {
   std::shared_lock<std::shared_mutex> lock(mutex_);
-  std::vector<Tree*> trees;
-  for (const Tree& tree : trees_[index(side)]) trees.push_back(const_cast<Tree*>(&tree));
-  return trees;
+  return trees_[index(side)];
 }
 
 std::size_t ForestPair::nodeCount() const {

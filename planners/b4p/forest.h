@@ -12,6 +12,7 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/datastructures/NearestNeighbors.h>
 
+#include "planners/b4p/publication_log.h"
 #include "planners/pick_place_region.h"
 
 namespace b4p {
@@ -42,15 +43,23 @@ struct Tree {
 
 using StateDistance = std::function<double(const ompl::base::State*, const ompl::base::State*)>;
 
-/// Nearest neighbours among nodes. Any thread may add or ask.
+/// Nearest neighbours among nodes. Any thread may add or ask. With a log, a step finds the nodes that it
+/// added itself before others do.
 class NodeIndex {
  public:
-  explicit NodeIndex(const StateDistance& distance);
+  explicit NodeIndex(const StateDistance& distance, PublicationLog* log = nullptr);
   void add(const Node* node);
   /// nullptr while empty.
   const Node* nearest(const ompl::base::State* state) const;
 
  private:
+  void insert(const Node* node);
+  const Node* nearerOfThisStep(const Node* shared, const ompl::base::State* state) const;
+
+  StateDistance distance_;
+  PublicationLog* log_;
+  std::vector<const Node*> unshared_;  ///< added by the step of this number, when there is a log
+  std::uint64_t step_ = 0;
   mutable std::shared_mutex mutex_;
   std::unique_ptr<ompl::NearestNeighbors<const Node*>> nodes_;
 };
@@ -61,8 +70,9 @@ class ForestPair {
  public:
   /// @param grasp       the grasp all its trees share, or kNoGrasp when they may differ
   /// @param everywhere  further indices (pick, place) that every node joins; may be nullptr
+  /// @param log         keeps trees and nodes from being seen before their time; may be nullptr
   ForestPair(ompl::base::SpaceInformationPtr si, const StateDistance& distance, GraspId grasp,
-             std::array<NodeIndex, 2>* everywhere = nullptr);
+             std::array<NodeIndex, 2>* everywhere = nullptr, PublicationLog* log = nullptr);
   ~ForestPair();
   ForestPair(const ForestPair&) = delete;
   ForestPair& operator=(const ForestPair&) = delete;
@@ -70,6 +80,7 @@ class ForestPair {
   GraspId grasp() const { return grasp_; }
 
   /// Starts a tree from a copy of `root`. nullptr when this side has an equal root with this grasp already.
+  /// With a log the tree joins later, unless an equal one has joined meanwhile.
   Tree* plant(Side side, const ompl::base::State* root, GraspId grasp, PlacementId placement);
 
   /// Adds a copy of `state` below `parent`.
@@ -86,13 +97,19 @@ class ForestPair {
   void forEachNode(const std::function<void(const Node&)>& visit) const;
 
  private:
+  bool hasRoot(Side side, const ompl::base::State* root, GraspId grasp) const;
+  Tree* makeTree(Side side, const ompl::base::State* root, GraspId grasp, PlacementId placement);
+  void join(const Node* node);
+
   ompl::base::SpaceInformationPtr si_;
   GraspId grasp_;
   std::array<NodeIndex, 2>* everywhere_;
+  PublicationLog* log_;
   std::array<NodeIndex, 2> nodes_;
   mutable std::shared_mutex mutex_;  // guards what follows
   std::deque<Node> storage_;
-  std::array<std::deque<Tree>, 2> trees_;
+  std::deque<Tree> tree_storage_;
+  std::array<std::vector<Tree*>, 2> trees_;
 };
 
 }  // namespace b4p

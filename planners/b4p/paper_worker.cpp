@@ -33,9 +33,10 @@ bool PaperWorker::spawnForest() {
 }
 
 void PaperWorker::connect(const Junction& junction) {
-  countOne(search().statistics().connections_tried);
   const Tree& pick = *junction.pick->tree;
   const Tree& place = *junction.place->tree;
+  if (pick.grasp != place.grasp && !search().parameters().relaxed) return;
+  countOne(search().statistics().connections_tried);
   if (!motion().isFree(junction.pick->state, junction.place->state, pick.grasp)) return;
   if (pick.grasp == place.grasp) {
     if (search().rootsMatch(junction)) search().publish(junction);

@@ -15,6 +15,7 @@ class PaperWorker : public Worker {
  protected:
   void advance() override;
   void salvage(const PathRepair&) override {}
+  void discard(const Junction&) override {}
 
  private:
   bool spawnForest();

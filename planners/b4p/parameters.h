@@ -28,6 +28,10 @@ struct B4PParameters {
   unsigned repair_iterations =
       300;  ///< iterations of local replanning per colliding run before a repair fails, >= 1
 
+  /// Ablations, in both modes. relaxed: trees of different grasps are joined, not only those of equal ones.
+  /// repair: a path that collides after Eq. 3 is repaired, not thrown away.
+  bool relaxed = true, repair = true;
+
   /// Empty when all is in range, otherwise what is not.
   std::string problem() const;
 };

@@ -9,12 +9,13 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 PathRepair::PathRepair(const ob::SpaceInformationPtr& si, og::PathGeometric path, const Junction& junction,
-                       std::size_t first_unchecked, unsigned iterations, Motion& motion)
+                       std::size_t first_unchecked, unsigned iterations, Motion& motion, PublicationLog* log)
     : si_(si),
       path_(std::move(path)),
       junction_(junction),
       grasp_(junction.pick->tree->grasp),
-      iterations_(iterations) {
+      iterations_(iterations),
+      log_(log) {
   bool colliding = false;
   for (std::size_t i = first_unchecked; i + 1 < path_.getStateCount(); ++i) {
     const bool free = motion.isFree(path_.getState(i), path_.getState(i + 1), grasp_);
@@ -35,31 +36,35 @@ PathRepair::Status PathRepair::status() const {
 
 void PathRepair::beginRun() {
   const Run& run = runs_[detours_.size()];
-  local_ = std::make_shared<ForestPair>(si_, GraspAccess(si_).distance(), grasp_);
+  local_ = std::make_shared<ForestPair>(si_, GraspAccess(si_).distance(), grasp_, nullptr, log_);
   local_->plant(Side::kPick, path_.getState(run.begin), grasp_, kNoPlacement);
   local_->plant(Side::kPlace, path_.getState(run.end), grasp_, kNoPlacement);
   spent_ = 0;
 }
 
-PathRepair::Status PathRepair::step(Motion& motion) {
-  std::shared_ptr<ForestPair> local;
+std::optional<PathRepair::Attempt> PathRepair::replan(Motion& motion) {
+  Attempt attempt;
   Run run;
   bool from_begin;
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    if (status_ != Status::kRunning) return status_;
-    if (spent_ >= iterations_) return status_ = Status::kFailed;
-    local = local_;
+    if (status_ == Status::kRunning && spent_ >= iterations_) status_ = Status::kFailed;
+    if (status_ != Status::kRunning) return std::nullopt;
+    attempt.local = local_;
     run = runs_[detours_.size()];
     from_begin = spent_ % 2 == 0;
     ++spent_;
   }
   const ob::State* target = motion.sampleAround(path_.getState(run.begin), path_.getState(run.end));
-  const Growth growth = growAndConnect(*local, from_begin ? Side::kPick : Side::kPlace, target, motion);
+  attempt.junction =
+      growAndConnect(*attempt.local, from_begin ? Side::kPick : Side::kPlace, target, motion).junction;
+  return attempt;
+}
 
+PathRepair::Status PathRepair::accept(const Attempt& attempt) {
   std::lock_guard<std::mutex> lock(mutex_);
-  if (!growth.junction || local != local_ || status_ != Status::kRunning) return status_;
-  detours_.push_back(pathThrough(*growth.junction, si_).path);
+  if (!attempt.junction || attempt.local != local_ || status_ != Status::kRunning) return status_;
+  detours_.push_back(pathThrough(*attempt.junction, si_).path);
   if (detours_.size() == runs_.size())
     status_ = Status::kSucceeded;
   else

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include <ompl/geometric/PathGeometric.h>
@@ -16,19 +17,31 @@ namespace b4p {
 /// Mends a path whose states carry one grasp but whose edges may collide under it (Algorithm 4): each maximal
 /// run of colliding edges is replaced by a motion found by local replanning between the run's two ends; all
 /// other edges stay as they are. A run that reaches the end of the path counts. Any number of threads may
-/// step() the same repair: they replan its runs together, one run after the other.
+/// replan() for the same repair: they mend its runs together, one run after the other.
 class PathRepair {
  public:
   enum class Status { kRunning, kSucceeded, kFailed };
 
+  /// What one iteration of local replanning has found.
+  struct Attempt {
+    std::shared_ptr<ForestPair> local;  ///< grew for the run at that time
+    std::optional<Junction> junction;   ///< set when it mends the run
+  };
+
   /// Checks the edges from way-point `first_unchecked` on; those before it are known to be free.
   /// @param junction    the connection that the path came from, kept for who asked
   /// @param iterations  of local replanning per run before the repair fails
+  /// @param log         of the search; may be nullptr
   PathRepair(const ompl::base::SpaceInformationPtr& si, ompl::geometric::PathGeometric path,
-             const Junction& junction, std::size_t first_unchecked, unsigned iterations, Motion& motion);
+             const Junction& junction, std::size_t first_unchecked, unsigned iterations, Motion& motion,
+             PublicationLog* log = nullptr);
 
-  /// One iteration of local replanning.
-  Status step(Motion& motion);
+  /// One iteration of local replanning, to be handed to accept(). Nothing when the repair has ended, which it
+  /// does here when a run has used up its iterations.
+  std::optional<Attempt> replan(Motion& motion);
+
+  /// Takes over what replan() has found, unless that run has been mended meanwhile.
+  Status accept(const Attempt& attempt);
 
   Status status() const;
 
@@ -59,6 +72,7 @@ class PathRepair {
   Junction junction_;
   GraspId grasp_;
   unsigned iterations_;
+  PublicationLog* log_;
   std::vector<Run> runs_;
 
   mutable std::mutex mutex_;  // guards what follows

@@ -15,8 +15,9 @@ ForestPair& Search::forestsOf(GraspId grasp) {
   if (!forests) {
     // Joins across grasps need an index over all forests; a single pair is its own.
     const bool several = region() != nullptr && !parameters_.paper;
-    forests = std::make_unique<ForestPair>(si(), grasps().distance(), key, several ? &everywhere_ : nullptr);
-    schedule_.add(forests.get());
+    forests = std::make_unique<ForestPair>(si(), grasps().distance(), key, several ? &everywhere_ : nullptr,
+                                           log());
+    share(log(), [this, added = forests.get()] { schedule_.add(added); });
   }
   return *forests;
 }
@@ -34,9 +35,12 @@ Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId
   if (!allFinite(*si()->getStateSpace(), root)) return nullptr;
   const bool known = side == Side::kPick && pickIsPlanted(root, grasp);
   Tree* tree = known ? nullptr : forestsOf(grasp).plant(side, root, grasp, placement);
-  ++offered_[index(side)];  // after planting: who has seen the count sees the tree
+  // After planting: who has seen the count sees the tree.
+  share(log(), [this, side, planted = tree != nullptr] {
+    ++offered_[index(side)];
+    if (planted) countRoot(side);
+  });
   if (tree == nullptr) return nullptr;
-  countRoot(side);
   countOne(statistics().roots);
   countOne(statistics().nodes);
   return tree;
@@ -44,9 +48,11 @@ Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId
 
 void Search::submit(std::shared_ptr<PathRepair> repair) {
   countOne(statistics().repairs_tried);
-  std::lock_guard<std::mutex> lock(repairs_mutex_);
-  repairs_.push_back(std::move(repair));
-  repairs_waiting_ = repairs_.size();
+  share(log(), [this, repair = std::move(repair)] {
+    std::lock_guard<std::mutex> lock(repairs_mutex_);
+    repairs_.push_back(repair);
+    repairs_waiting_ = repairs_.size();
+  });
 }
 
 std::shared_ptr<PathRepair> Search::repair() {

@@ -24,7 +24,7 @@ class Search : public ParallelSearch {
       : ParallelSearch(problem),
         parameters_(parameters),
         iterations_before_(problem.statistics.iterations),
-        everywhere_{NodeIndex(grasps().distance()), NodeIndex(grasps().distance())} {}
+        everywhere_{NodeIndex(grasps().distance(), log()), NodeIndex(grasps().distance(), log())} {}
 
   std::unique_ptr<ParallelWorker> newWorker(std::uint64_t seed) override;
 

@@ -26,17 +26,24 @@ void Worker::step() {
 }
 
 void Worker::helpRepair(const std::shared_ptr<PathRepair>& repair) {
-  const PathRepair::Status status = repair->step(motion_);
-  if (status == PathRepair::Status::kRunning || !search_.retire(repair)) return;
-  if (status == PathRepair::Status::kFailed) return salvage(*repair);
+  const auto attempt = repair->replan(motion_);
+  if (!attempt) return endRepair(repair);
+  share(search_.log(), [this, repair, attempt = *attempt] {
+    if (repair->accept(attempt) != PathRepair::Status::kRunning) endRepair(repair);
+  });
+}
+
+void Worker::endRepair(const std::shared_ptr<PathRepair>& repair) {
+  if (!search_.retire(repair)) return;
+  if (repair->status() == PathRepair::Status::kFailed) return salvage(*repair);
   countOne(search_.statistics().repairs_succeeded);
   search_.publish(repair->repaired());
 }
 
-GraspId Worker::drawPick() {
+Worker::Pick Worker::drawPick() {
   const GraspId grasp = drawer_.drawPick();
-  if (grasp != kNoGrasp) search_.plant(Side::kPick, root(), grasp);
-  return grasp;
+  if (grasp == kNoGrasp) return {};
+  return {grasp, search_.plant(Side::kPick, root(), grasp) != nullptr};
 }
 
 void Worker::repair(const Junction& junction, const ob::State* place_root) {
@@ -44,8 +51,11 @@ void Worker::repair(const Junction& junction, const ob::State* place_root) {
   ob::State* end = joined.path.getStates().back();
   search_.si()->copyState(end, place_root);
   motion_.grasps().set(end, junction.pick->tree->grasp);
-  search_.submit(std::make_shared<PathRepair>(search_.si(), std::move(joined.path), junction, joined.junction,
-                                              search_.parameters().repair_iterations, motion_));
+  auto repair = std::make_shared<PathRepair>(search_.si(), std::move(joined.path), junction, joined.junction,
+                                             search_.parameters().repair_iterations, motion_, search_.log());
+  if (search_.parameters().repair) return search_.submit(std::move(repair));
+  if (repair->status() != PathRepair::Status::kSucceeded) return discard(junction);
+  search_.publish(repair->repaired());
 }
 
 std::unique_ptr<Worker> makeWorker(Search& search, std::uint64_t seed) {

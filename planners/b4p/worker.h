@@ -27,16 +27,26 @@ class Worker : public ParallelWorker {
   /// What becomes of a repair that failed.
   virtual void salvage(const PathRepair& repair) = 0;
 
-  /// Draws a grasp and plants its pick root, unless it is there already. The grasp drawn, or kNoGrasp.
-  GraspId drawPick();
+  /// What becomes of a connection whose path collides, where paths are not repaired.
+  virtual void discard(const Junction& junction) = 0;
+
+  /// A grasp drawn, or kNoGrasp, and whether its pick root is a new one.
+  struct Pick {
+    GraspId grasp = kNoGrasp;
+    bool is_new = false;
+  };
+
+  /// Draws a grasp and plants its pick root, unless it is there already.
+  Pick drawPick();
 
   /// Eq. 3 into root(). False when there is no configuration.
   bool derivePlaceRoot(PlacementId placement, GraspId grasp) {
     return drawer_.derivePlaceRoot(placement, grasp);
   }
 
-  /// Submits the path over a junction of different grasps, its last state replaced by `place_root` (Algorithm
-  /// 1, lines 5 and 6).
+  /// Submits the path over a junction of different grasps, its last state replaced by `place_root`, for
+  /// repair (Algorithm 1, lines 5 and 6). Without repair it is published if it is free, and otherwise
+  /// discarded.
   void repair(const Junction& junction, const ompl::base::State* place_root);
 
   Search& search() { return search_; }
@@ -46,6 +56,7 @@ class Worker : public ParallelWorker {
 
  private:
   void helpRepair(const std::shared_ptr<PathRepair>& repair);
+  void endRepair(const std::shared_ptr<PathRepair>& repair);
 
   Search& search_;
   Motion motion_;

@@ -48,7 +48,7 @@ void SharedSearch::pause() {
   before_ += Clock::now() - since_;
 }
 
-bool SharedSearch::expired() const {
+bool SharedSearch::attemptIsOver() const {
   if (parameters_.restart_iterations > 0) return steps_ >= parameters_.restart_iterations;
   const std::chrono::duration<double> elapsed = before_ + (Clock::now() - since_);
   return elapsed.count() >= parameters_.restart_s;
@@ -58,7 +58,7 @@ bool SharedSearch::expired() const {
 std::shared_ptr<TreePair> SharedSearch::pairForStep() {
   std::shared_ptr<TreePair> old;  // outlives the lock: large trees take time to go
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (expired() && !finished()) {
+  if (attemptIsOver() && !finished()) {
     if (pair_ != nullptr) countOne(statistics().restarts);
     old = pair_;
     dropPair();

@@ -40,7 +40,7 @@ class SharedSearch : public PairSearch {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool expired() const;
+  bool attemptIsOver() const;
   void dropPair();
 
   const RRTSharedParameters parameters_;

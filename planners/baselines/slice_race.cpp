@@ -44,6 +44,7 @@ SliceRace::Turn SliceRace::take() {
 
 void SliceRace::giveBack(const Turn& turn) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (turn.round == round_) draws_left_ += turn.draws;
   if (turn.pair == nullptr) {
     if (turn.round == round_) ++wanted_;
     return;

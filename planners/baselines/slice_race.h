@@ -24,7 +24,7 @@ class SliceRace {
   /// A worker's turn. It has the pair for itself until it gives it back.
   struct Turn {
     std::shared_ptr<TreePair> pair;  ///< nullptr: look for a new one; set it when found, and let it grow
-    std::uint64_t draws = 0;         ///< how many may be spent on looking for it
+    std::uint64_t draws = 0;         ///< how many may be spent on looking for it; when given back: are left
     std::uint64_t iterations = 0;    ///< how many it may grow
     unsigned slices = 0;             ///< how many the pair had before
     std::uint64_t round = 0;

@@ -4,54 +4,31 @@
 import os
 
 import numpy as np
-from manifold3d import Manifold, Mesh, OpType
 from matplotlib.colors import to_rgb
+
+from b4p_figures.sight import CAMERA_DISTANCE, Directions, Screens
+from b4p_figures.surfaces import edges_of, smooth
 
 # OSMesa needs neither a display nor a graphics card, and draws the same everywhere. VTK reads this once.
 os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkOSOpenGLRenderWindow"
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (registers the renderer)
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkPolyLine, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkPolyLine
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-SHARP_EDGE_DEG = 35.0
-SMALLEST_EDGE_M = 5e-4  # slivers left by the union would show as cracks
 TUBE_SIDES = 16
 EDGE_PIXELS = 1.5
 SUPERSAMPLING = 2  # the picture is rendered this much larger, then averaged
 BEHIND = 1.0  # depth offset, in the renderer's units
 PEELS = 12  # translucent layers told apart
-CAMERA_DISTANCE = 2.2  # in diagonals of what is shown
 FRAME = 1.04  # size of the picture over what it shows
-ELEVATIONS = (0.42, 0.25, 0.7)  # height of the camera over its distance on the ground, best first
-AZIMUTHS_DEG = (-60, -35, -85, -120, 60, 35, 85, 120, -10, 10, 150, -150)  # best first
 KEY_LIGHT = 0.95
 AMBIENT = 0.25  # share of light from nowhere
 BACKGROUND = (1.0, 1.0, 1.0)
-
-
-def union(solids: list[np.ndarray]) -> vtkPolyData:
-    """The surface of the union of the convex hulls of sets of points: translucent solids show no seams."""
-    body = Manifold.batch_boolean([Manifold.hull_points(points) for points in solids], OpType.Add)
-    return _poly_data(body.simplify(SMALLEST_EDGE_M).to_mesh())
-
-
-def _poly_data(mesh: Mesh) -> vtkPolyData:
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.vert_properties[:, :3], float), deep=True))
-    corners = np.asarray(mesh.tri_verts, np.int64)
-    cells = vtkCellArray()
-    cells.ImportLegacyFormat(
-        numpy_to_vtkIdTypeArray(np.column_stack([np.full(len(corners), 3), corners]).ravel(), deep=True)
-    )
-    data = vtkPolyData()
-    data.SetPoints(points)
-    data.SetPolys(cells)
-    return data
 
 
 class Canvas:
@@ -67,32 +44,22 @@ class Canvas:
         self._window.SetMultiSamples(0)
         self._window.SetSize(*(SUPERSAMPLING * round(side) for side in pixels))
         self._window.AddRenderer(self._renderer)
-        self._screens: list[tuple[vtkStaticCellLocator, float]] = []
+        self._screens = Screens()
         self._ghosts = 0
         lights = vtkLightKit()
         lights.SetKeyLightIntensity(KEY_LIGHT)
         lights.AddLightsToRenderer(self._renderer)
 
     def add_solid(self, surface: vtkPolyData, color: str, opacity: float = 1.0) -> None:
-        normals = vtkPolyDataNormals()
-        normals.SetInputData(surface)
-        normals.SetFeatureAngle(SHARP_EDGE_DEG)
-        self._add(normals, color, opacity)
+        self._add(smooth(surface), color, opacity)
 
     def add_screen(self, surface: vtkPolyData, color: str, opacity: float) -> None:
         """A solid around which the camera tries to see."""
         self.add_solid(surface, color, opacity)
-        screen = vtkStaticCellLocator()
-        screen.SetDataSet(surface)
-        screen.BuildLocator()
-        self._screens.append((screen, opacity))
+        self._screens.add(surface, opacity)
 
     def add_edges(self, surface: vtkPolyData, color: str) -> None:
-        edges = vtkFeatureEdges()
-        edges.SetInputData(surface)
-        edges.SetFeatureAngle(SHARP_EDGE_DEG)
-        edges.ColoringOff()
-        actor = self._add(edges, color, 1.0)
+        actor = self._add(edges_of(surface), color, 1.0)
         actor.GetProperty().SetLineWidth(EDGE_PIXELS * SUPERSAMPLING)
         actor.GetProperty().LightingOff()
 
@@ -131,15 +98,14 @@ class Canvas:
         self._renderer.AddActor(actor)
         return actor
 
-    def render(self, inside: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    def render(self, inside: np.ndarray, wanted: np.ndarray, directions: Directions) -> np.ndarray:
         """An RGB image with all points `inside` in it, from where screens dim the points `wanted` least."""
         low, high = inside.min(axis=0), inside.max(axis=0)
         centre, distance = (low + high) / 2, CAMERA_DISTANCE * np.linalg.norm(high - low)
-        eyes = [centre + distance * direction for direction in _directions()]
-        dimming = [sum(self._dimming(point, eye) for point in wanted) for eye in eyes]
+        direction = self._screens.clearest(directions, centre, distance, wanted)
         camera = self._renderer.GetActiveCamera()
         camera.SetViewUp(0, 0, 1)
-        camera.SetPosition(*eyes[int(np.argmin(dimming))])
+        camera.SetPosition(*(centre + distance * direction))
         camera.SetFocalPoint(*centre)
         self._fit(inside)
         self._renderer.ResetCameraClippingRange()
@@ -160,12 +126,6 @@ class Canvas:
         middle = (low + high) / 2
         camera.SetWindowCenter(middle[0] / (half * width / height), middle[1] / half)
 
-    def _dimming(self, point: np.ndarray, eye: np.ndarray) -> float:
-        """Summed opacity of the screens between them."""
-        return sum(
-            opacity for screen, opacity in self._screens if screen.IntersectWithLine(eye, point, None, None)
-        )
-
     def _image(self) -> np.ndarray:
         grabber = vtkWindowToImageFilter()
         grabber.SetInput(self._window)
@@ -178,8 +138,3 @@ class Canvas:
             height // SUPERSAMPLING, SUPERSAMPLING, width // SUPERSAMPLING, SUPERSAMPLING, 3
         )
         return fine.mean(axis=(1, 3)) / 255.0
-
-
-def _directions() -> list[np.ndarray]:
-    azimuths = np.radians(AZIMUTHS_DEG)
-    return [np.array([np.cos(a), np.sin(a), elevation]) for elevation in ELEVATIONS for a in azimuths]

@@ -24,7 +24,8 @@ MARGIN_M = 0.05
 LEGEND_COLUMNS = 3
 WALL, REGION, START, GOAL = "#4a4a4a", "#009E73", "#0072B2", "#D55E00"
 PICK_TREES, PLACE_TREES = "#56B4E9", "#E69F00"
-GRADIENT = LinearSegmentedColormap.from_list("pick to place", [START, "#8f86c4", "#c96fa0", GOAL])
+PICK_TO_PLACE = START, "#8f86c4", "#c96fa0", GOAL
+GRADIENT = LinearSegmentedColormap.from_list("pick to place", PICK_TO_PLACE)
 
 
 def outlines(solids: list[np.ndarray]) -> list[np.ndarray]:

@@ -6,8 +6,10 @@ from pathlib import Path
 import numpy as np
 from matplotlib.patches import Patch
 
-from b4p_figures.canvas import Canvas, union
+from b4p_figures.canvas import Canvas
+from b4p_figures.sight import FROM_ABOVE, Directions, around
 from b4p_figures.style import DOTS_PER_INCH, plt, save
+from b4p_figures.surfaces import union
 from b4p_files.motion import Motion, motion_title, object_points, obstacle_points, replay, rest, robot_points
 from b4p_files.result import Result
 from b4p_files.scene import Scene
@@ -21,17 +23,14 @@ PICK_OPACITY, MIDDLE_OPACITY, PLACE_OPACITY = 0.25, 0.15, 0.40  # of the robot
 WAY_OPACITY, OBSTACLE_OPACITY, REGION_OPACITY = 0.35, 0.18, 0.4
 MOMENTS = 61  # of the motion; odd, so that one is its middle
 GHOSTS = 5  # faint objects between start and goal
-TRACE_RADIUS_M = 0.005
+TRACE_POINTS = 600
+TRACE_RADIUS = 0.003  # over the size of what is shown
 SMALLEST_REGION_M = 0.004  # a flat region is drawn this thick
 
 
 def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
     canvas = Canvas(PIXELS)
-    for solid in obstacle_points(scene):
-        canvas.add_screen(union([solid]), OBSTACLE, OBSTACLE_OPACITY)
-        canvas.add_edges(union([solid]), OBSTACLE)
-    canvas.add_solid(union([_region_points(scene)]), REGION, REGION_OPACITY)
-    canvas.add_solid(union(object_points(scene, scene.X_WO_start)), START)
+    add_task(canvas, scene)
     legend = [
         Patch(color=OBSTACLE, alpha=0.5, label="obstacles"),
         Patch(color=REGION, alpha=0.4, label="placement region (object's origin)"),
@@ -39,16 +38,32 @@ def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
     ]
     if result is not None and len(result.path):
         motion = replay(scene, result, MOMENTS)
+        shown = subject(scene, motion, (0, MOMENTS // 2, MOMENTS - 1))
         legend += _add_motion(canvas, scene, motion)
-        subject = _subject(scene, motion, (0, MOMENTS // 2, MOMENTS - 1))
+        trace = replay(scene, result, TRACE_POINTS).object[:, :3, 3]
+        canvas.add_tube(trace, TRACE_RADIUS * diagonal(shown[0]), TRACE)
     else:
         motion = rest(scene)
         canvas.add_screen(union(robot_points(scene, motion, 0)), MIDDLE, 1.0)
-        subject = _subject(scene, motion, (0,))
-    _compose(canvas.render(*subject), motion_title(scene, result), legend, file)
+        shown = subject(scene, motion, (0,))
+    _compose(canvas.render(*shown, directions(scene)), motion_title(scene, result), legend, file)
 
 
-def _region_points(scene: Scene) -> np.ndarray:
+def add_task(canvas: Canvas, scene: Scene) -> None:
+    """Obstacles, placement region, and the object at its start."""
+    for solid in obstacle_points(scene):
+        canvas.add_screen(union([solid]), OBSTACLE, OBSTACLE_OPACITY)
+        canvas.add_edges(union([solid]), OBSTACLE)
+    canvas.add_solid(union([region_points(scene)]), REGION, REGION_OPACITY)
+    canvas.add_solid(union(object_points(scene, scene.X_WO_start)), START)
+
+
+def directions(scene: Scene) -> Directions:
+    """From where to look at it."""
+    return FROM_ABOVE if scene.robot.is_planar else around()
+
+
+def region_points(scene: Scene) -> np.ndarray:
     size = np.maximum(scene.region_max_m - scene.region_min_m, SMALLEST_REGION_M)
     return Box(size).points() + (scene.region_min_m + scene.region_max_m) / 2
 
@@ -62,7 +77,6 @@ def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch]:
     for moment in np.linspace(0, last, GHOSTS + 2).round().astype(int)[1:-1]:
         canvas.add_solid(union(object_points(scene, motion.object[moment])), TRACE, WAY_OPACITY)
     canvas.add_solid(union(object_points(scene, motion.object[last])), GOAL)
-    canvas.add_tube(motion.object[:, :3, 3], TRACE_RADIUS_M, TRACE)
     return [
         Patch(color=GOAL, label="object at the place"),
         Patch(color=TRACE, label="object on its way"),
@@ -72,18 +86,18 @@ def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch]:
     ]
 
 
-def _subject(scene: Scene, motion: Motion, moments: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+def subject(scene: Scene, motion: Motion, moments: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
     """What has to be inside the picture, and what of it should not hide behind obstacles."""
     ends = [*object_points(scene, motion.object[0]), *object_points(scene, motion.object[-1])]
-    way = np.concatenate([motion.object[:, :3, 3], _region_points(scene), *ends])
+    way = np.concatenate([motion.object[:, :3, 3], region_points(scene), *ends])
     robot = [points for moment in moments for points in robot_points(scene, motion, moment)]
     moving = np.concatenate([*robot, way])
     # A floor is there to be seen, not to be seen whole.
-    obstacles = [points for points in obstacle_points(scene) if _diagonal(points) < _diagonal(moving)]
+    obstacles = [points for points in obstacle_points(scene) if diagonal(points) < diagonal(moving)]
     return np.concatenate([*obstacles, moving]), way
 
 
-def _diagonal(points: np.ndarray) -> float:
+def diagonal(points: np.ndarray) -> float:
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 

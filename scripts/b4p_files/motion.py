@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A solution replayed in its scene."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,12 +45,21 @@ def robot_points(
 ) -> list[np.ndarray]:
     """Points in the world whose convex hulls are the robot's solids; without links that are where they are at the
     moment `unless_as_at`."""
-    solids = []
-    for link, shapes in scene.robot.shapes.items():
-        X_WL = motion.links[link]
-        if unless_as_at is None or not np.allclose(X_WL[moment], X_WL[unless_as_at]):
-            solids += [transform(X_WL[moment] @ placed.X_BS, placed.shape.points()) for placed in shapes]
-    return solids
+    moved = [
+        link
+        for link, X_WL in motion.links.items()
+        if unless_as_at is None or not np.allclose(X_WL[moment], X_WL[unless_as_at])
+    ]
+    return link_points(scene, motion, moment, moved)
+
+
+def link_points(scene: Scene, motion: Motion, moment: int, links: Iterable[str]) -> list[np.ndarray]:
+    """As robot_points(), of these links."""
+    return [
+        transform(motion.links[link][moment] @ placed.X_BS, placed.shape.points())
+        for link in links
+        for placed in scene.robot.shapes[link]
+    ]
 
 
 def object_points(scene: Scene, X_WO: np.ndarray) -> list[np.ndarray]:
@@ -64,8 +74,9 @@ def motion_title(scene: Scene, result: Result | None) -> str:
     if result is None:
         return f"{scene.name}: {scene.robot.file.stem} and {scene.object_name}"
     threads = f"{result.threads} thread{'s' * (result.threads != 1)}"
+    query = f"{scene.name}: {result.planner}, seed {result.seed}, {threads}"
+    if len(result.path) == 0:
+        return f"{query}\n{result.status} after {result.planning_time_s:.3g} s, no path"
     verdict = "verified" if result.verified else "not verified"
     outcome = f"{result.status} in {result.planning_time_s:.3g} s, {verdict}"
-    return (
-        f"{scene.name}: {result.planner}, seed {result.seed}, {threads}\n{outcome}, grasp {result.grasp_id}"
-    )
+    return f"{query}\n{outcome}, grasp {result.grasp_id}"

@@ -11,6 +11,7 @@ from b4p_files.errors import FileError, reading
 from b4p_files.poses import Pose, pose_from
 
 SCHEMA = 1
+PICK, PLACE = 0, 1  # sides of forests
 
 
 @dataclass
@@ -34,7 +35,10 @@ class Result:
 
 @dataclass
 class Forests:
-    side: np.ndarray  # 0: pick, 1: place
+    scene: str
+    openings_m: dict[int, float]  # of the gripper, for each grasp
+    side: np.ndarray  # PICK or PLACE
+    grasp: np.ndarray
     parent: np.ndarray  # index of a node, -1 for roots
     q: np.ndarray  # one node a row
 
@@ -46,11 +50,19 @@ def _load(file: Path) -> dict:
     return document
 
 
+def _finite(name: str, numbers: np.ndarray) -> np.ndarray:
+    wrong = numbers[~np.isfinite(numbers)]
+    if wrong.size:
+        raise ValueError(f"{name}: {wrong[0]} is not a finite number")
+    return numbers
+
+
 def read_result(file: Path) -> Result:
     with reading(file, "result file"):
         document = _load(file)
         grasp = document["grasp"]
         names = document["joint_names"]
+        path = np.array(document["path"], float)
         return Result(
             file=file,
             scene=document["scene"],
@@ -62,20 +74,25 @@ def read_result(file: Path) -> Result:
             verified=bool(document["verification"]["passed"]),
             planning_time_s=float(document["planning_time_s"]),
             grasp_id=int(document["grasp_id"]),
-            X_OT=pose_from(grasp["X_OT"]),
+            X_OT=_finite("grasp.X_OT", pose_from(grasp["X_OT"])),
             opening_m=float(grasp["opening_m"]),
-            X_WO_place=pose_from(document["X_WO_place"]),
+            X_WO_place=_finite("X_WO_place", pose_from(document["X_WO_place"])),
             joint_names=names,
-            path=np.array(document["path"], float).reshape(len(document["path"]), len(names)),
+            path=_finite("path", path.reshape(len(path), len(names))),
         )
 
 
 def read_forests(file: Path) -> Forests:
     with reading(file, "forest file"):
-        nodes = _load(file)["nodes"]
+        document = _load(file)
+        nodes = document["nodes"]
+        grasp = np.array([node["grasp"] for node in nodes], int)
+        openings_m = {int(id): float(opening) for id, opening in document["openings_m"].items()}
+        if unknown := set(grasp.tolist()) - set(openings_m):
+            raise ValueError(f"openings_m: grasp {unknown.pop()} is missing")
         side = np.array([node["side"] for node in nodes], int)
         parent = np.array([node["parent"] for node in nodes], int)
         if np.any(parent >= len(nodes)):
             raise ValueError("parent: index beyond the last node")
-        q = np.array([node["q"] for node in nodes], float)
-        return Forests(side, parent, q)
+        q = _finite("q", np.array([node["q"] for node in nodes], float))
+        return Forests(document["scene"], openings_m, side, grasp, parent, q)

@@ -61,6 +61,19 @@ class Robot:
         return kinds[:2] == ["prismatic"] * 2 and len(kinds) == 3 and flat
 
     @property
+    def hand_links(self) -> list[str]:
+        """What moves with the TCP link, fingers included, beyond the link that the last planned joint moves."""
+        rigid = {joint.child: joint.parent for joint in self.joints if joint.name not in self.joint_names}
+        wrist = self.tcp_link
+        while wrist in rigid:
+            wrist = rigid[wrist]
+        carried = [wrist]
+        for link in carried:
+            carried += [child for child, parent in rigid.items() if parent == link]
+        beyond = [link for link in carried[1:] if self.shapes[link]]
+        return beyond or carried
+
+    @property
     def planned(self) -> list[Joint]:
         by_name = {joint.name: joint for joint in self.joints}
         return [by_name[name] for name in self.joint_names]

@@ -56,3 +56,11 @@ def read_scene(file: Path) -> Scene:
             region_min_m=vector(region["min_m"]),
             region_max_m=vector(region["max_m"]),
         )
+
+
+def read_scene_of(file: Path, scene: str) -> Scene:
+    """The scene that `file` names."""
+    scene_file = find_scene(scene, file.parent)
+    if not scene_file.is_file():
+        raise FileError(file, f"scene: {scene}: {scene_file}: No such file")
+    return read_scene(scene_file)

@@ -213,10 +213,28 @@ TEST_F(BadExperiment, NamesTheOption) {
   writeText(file,
             "schema: 1\nname: quick\nruns: 2\ntime_limit_s: 5\nthreads: 1\nseed: 1\nscenes: [easy.yaml]\n"
             "planners:\n  - {label: first, planner: b4p}\n");
-  for (const char* option : {"--runs 0", "--seed 1e3", "--threads 65", "--time-limit-s -1"})
+  for (const char* option : {"--runs 0", "--seed 1e3", "--threads 65", "--threads 1,1", "--threads 1,two",
+                             "--scenes mars", "--time-limit-s -1", "--resume --overwrite"})
     expectRefused("bench " + file + " --out " + out() + " " + option,
-                  std::string(option).substr(0, std::string(option).find(' ')));
+                  option == std::string("--scenes mars")
+                      ? "mars"
+                      : std::string(option).substr(0, std::string(option).find(' ')));
   EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(BadExperiment, ResumedWithOtherSettings) {
+  const std::string file = copy_.folder() / "e.yaml";
+  writeText(file,
+            "schema: 1\nname: quick\nruns: 1\ntime_limit_s: 5\nthreads: 1\nseed: 1\nscenes: [easy.yaml]\n"
+            "planners:\n  - {label: first, planner: b4p}\n");
+  const std::string bench = "bench " + file + " --out " + out();
+  ASSERT_EQ(runB4p(bench + " --resume").exit_code, 0);
+  const auto before = copy_.folder().files();
+  expectRefused(bench, "--resume");
+  expectRefused(bench + " --resume --seed 2", "seed");
+  expectRefused(bench + " --resume --time-limit-s 4", "time_limit_s");
+  EXPECT_EQ(copy_.folder().files(), before);
+  EXPECT_EQ(runB4p(bench + " --resume --runs 2").exit_code, 0);
 }
 
 TEST_F(BadExperiment, FolderThatCannotBeMade) {

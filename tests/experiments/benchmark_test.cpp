@@ -29,12 +29,7 @@ class Crashing : public ob::Planner {
 class Benchmarks : public ::testing::Test {
  protected:
   Experiment experiment(int runs, const std::vector<std::string>& planners) const {
-    Experiment experiment;
-    experiment.file = "test";
-    experiment.name = "test";
-    experiment.runs = runs;
-    experiment.time_limit_s = 20.0;
-    experiment.scenes = {copy_.scene()};
+    Experiment experiment = benchmarkOf(copy_, runs);
     for (const std::string& planner : planners)
       experiment.contenders.push_back({"c" + std::to_string(experiment.contenders.size()), planner, 1, {}});
     return experiment;
@@ -90,7 +85,10 @@ TEST_F(Benchmarks, AreReproducibleOnOneThread) {
     BenchmarkRunner runner(experiment(2, {"b4p", "rrtconnect"}), catalogue(), out.path());
     runner.run();
     std::vector<std::vector<std::vector<double>>> all;
-    for (const RunRecord& record : runner.records()) all.push_back(record.result.path);
+    for (const RunRecord& record : runner.records())
+      all.push_back(
+          readResult(out / ("results/easy-" + record.label + "-" + std::to_string(record.run) + ".json"))
+              .path);
     return all;
   };
   EXPECT_EQ(paths(), paths());
@@ -101,7 +99,7 @@ TEST_F(Benchmarks, RecordACrashAsARun) {
   runner.run();
   ASSERT_EQ(runner.records().size(), 4u);
   EXPECT_TRUE(runner.records()[0].crashed);
-  EXPECT_EQ(runner.records()[0].result.status, "Crash");
+  EXPECT_EQ(runner.records()[0].status, "Crash");
   EXPECT_EQ(runner.records()[0].crash, "boom");
   EXPECT_TRUE(runner.anyCrashed());
   EXPECT_THAT(readFile(out_ / "summary.md"), HasSubstr("Run 1 of c0 crashed: boom"));
@@ -116,9 +114,10 @@ TEST_F(Benchmarks, DoNotMixWithEarlierOnes) {
   writeText(out_ / "results/notes.txt", "");
   EXPECT_THROW(BenchmarkRunner(experiment(1, {"b4p"}), catalogue(), out_.path()), InputError);
   EXPECT_TRUE(std::filesystem::exists(out_ / "results/easy-c0-2.json"));
-  BenchmarkRunner(experiment(1, {"b4p"}), catalogue(), out_.path(), true).run();
-  EXPECT_EQ(out_.files(), (std::vector<std::string>{"easy.log", "notes.txt", "results/easy-c0-1.json",
-                                                    "results/notes.txt", "summary.md"}));
+  BenchmarkRunner(experiment(1, {"b4p"}), catalogue(), out_.path(), EarlierRuns::kRemove).run();
+  EXPECT_EQ(out_.files(),
+            (std::vector<std::string>{"easy.log", "experiment.json", "notes.txt", "results/easy-c0-1.json",
+                                      "results/notes.txt", "runs.jsonl", "summary.md"}));
 }
 
 TEST_F(Benchmarks, CountFailuresAsLongerThanTheLimit) {
@@ -129,7 +128,7 @@ TEST_F(Benchmarks, CountFailuresAsLongerThanTheLimit) {
   blocked.time_limit_s = 0.12;
   BenchmarkRunner runner(blocked, catalogue(), out_.path());
   runner.run();
-  for (const RunRecord& record : runner.records()) EXPECT_FALSE(record.result.solved);
+  for (const RunRecord& record : runner.records()) EXPECT_FALSE(record.solved);
   EXPECT_THAT(runner.report(), HasSubstr("| 0 of 1 | 0 of 0 | 0 | > 0.12 |"));
   EXPECT_THAT(readFile(out_ / "easy.log"), HasSubstr("nan"));
 }

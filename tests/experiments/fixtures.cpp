@@ -61,6 +61,15 @@ SceneCopy::SceneCopy(const std::vector<Change>& changes, const std::string& chan
   }
 }
 
+Experiment benchmarkOf(const SceneCopy& copy, int runs) {
+  Experiment experiment;
+  experiment.file = experiment.name = "test";
+  experiment.runs = runs;
+  experiment.time_limit_s = 20.0;
+  experiment.scenes = {copy.scene()};
+  return experiment;
+}
+
 int CommandRun::errorLines() const { return static_cast<int>(std::count(err.begin(), err.end(), '\n')); }
 
 CommandRun runB4p(const std::string& arguments, const std::string& pid_file) {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/runner/experiment.h"
+
 namespace b4p::test {
 
 /// A folder of its own under the system's temporary folder, removed at the end.
@@ -43,6 +45,9 @@ class SceneCopy {
  private:
   TemporaryFolder folder_;
 };
+
+/// A benchmark of a scene, without planners yet.
+Experiment benchmarkOf(const SceneCopy& copy, int runs);
 
 /// What a run of the b4p command left.
 struct CommandRun {

@@ -56,32 +56,5 @@ TEST(Preflight, HoldsTheStartPoseToTheStatedClearance) {
   }
 }
 
-TEST(Preflight, PicksAreAsManyAsTheScenesState) {
-  constexpr int kDrawsPerGrasp = 8;
-  const Problem maze = makeProblem(loadScene("maze"));
-  const auto of_maze = maze.region->makeSceneContext(1);
-  int valid = 0;
-  double q[3];
-  for (GraspId id = 0; id < maze.region->graspCount(); ++id)
-    for (int draw = 0; draw < kDrawsPerGrasp; ++draw)
-      if (of_maze->pickRoot(id, q)) {
-        ++valid;
-        break;
-      }
-  EXPECT_EQ(maze.region->graspCount(), maze.scene.numbers.grasps_sampled);
-  EXPECT_EQ(valid, maze.scene.numbers.grasps_valid_at_pick);
-
-  const Problem grocery = makeProblem(loadScene("grocery"));
-  const auto of_grocery = grocery.region->makeSceneContext(1);
-  const SceneNumbers& numbers = grocery.scene.numbers;
-  valid = 0;
-  for (int draw = 0; draw < numbers.grasps_sampled; ++draw) {
-    Grasp grasp;
-    std::string collision;
-    if (of_grocery->probePick(grasp, collision) == RootOutcome::kValid) ++valid;
-  }
-  EXPECT_NEAR(valid, numbers.grasps_valid_at_pick, 0.15 * numbers.grasps_sampled);
-}
-
 }  // namespace
 }  // namespace b4p::test

@@ -72,8 +72,8 @@ class Deadline : public ::testing::Test {
                           const std::function<void(const ob::PlannerTerminationCondition&)>& script,
                           const DeadlinePlanner::Preparation& prepare = {}) {
     problem_.pdef->addStartState(ob::ScopedState<>(problem_.si));
-    planner_ = std::make_shared<DeadlinePlanner>(std::make_shared<Scripted>(problem_.si, script), limit_s,
-                                                 prepare, nullptr);
+    planner_ = std::make_shared<DeadlinePlanner>(std::make_shared<Scripted>(problem_.si, script),
+                                                 RunLimits{limit_s}, prepare, nullptr);
     planner_->setProblemDefinition(problem_.pdef);
     return planner_->solve(ob::plannerNonTerminatingCondition());
   }

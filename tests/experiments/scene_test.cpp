@@ -43,7 +43,6 @@ TEST(Scene, ReadsAllOfTheFile) {
   EXPECT_EQ(scene.grasps.polygon_m.size(), 4u);
   EXPECT_EQ(scene.placement.max_m.x(), 1.8);
   EXPECT_EQ(scene.edge_step_m, 0.02);
-  EXPECT_EQ(scene.numbers.grasps_compatible, 4);
 }
 
 TEST(Scene, ShippedScenesLoad) {
@@ -72,9 +71,8 @@ TEST(Scene, RefusesPolygonsThatAreNotSimpleAndCounterClockwise) {
   EXPECT_THAT(refusal({{polygon, "[[-0.1, -0.1], [0.1, -0.1]]"}}), HasSubstr("corners"));
 }
 
-TEST(Scene, RefusesRegionsAndNumbersThatContradictThemselves) {
+TEST(Scene, RefusesRegionsStepsAndNamesThatAreNone) {
   EXPECT_THAT(refusal({{"max_m: [1.8, 0.3, 0]", "max_m: [1.5, 0.3, 0]"}}), HasSubstr("max_m"));
-  EXPECT_THAT(refusal({{"grasps_compatible: 4", "grasps_compatible: 5"}}), HasSubstr("grasps_compatible"));
   EXPECT_THAT(refusal({{"edge_step_m: 0.02", "edge_step_m: 0"}}), HasSubstr("edge_step_m"));
   EXPECT_THAT(refusal({{"name: easy", "name: rather easy"}}), HasSubstr("name"));
 }

@@ -18,7 +18,8 @@ run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/plan_in_the_plane)
 
 if(EXPERIMENTS)
-  foreach(file IN ITEMS robots/panda.yaml robots/urdf/panda.urdf experiments/scenes/maze.yaml)
+  foreach(file IN ITEMS robots/panda.yaml robots/urdf/panda.urdf experiments/scenes/maze.yaml
+          experiments/scenes/maze.certificate.json)
     if(NOT EXISTS ${prefix}/share/b4p/${file})
       message(FATAL_ERROR "share/b4p/${file} has not been installed")
     endif()

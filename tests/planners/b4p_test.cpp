@@ -202,29 +202,76 @@ TEST(B4PWorker, EveryKnownGraspGetsForestsThatGrow) {
     EXPECT_GT(stepped.search->forestsOf(grasp).nodeCount(), 100u) << "grasp " << grasp;
 }
 
-// Repairs per solved query over twenty seeds; the search itself is deterministic.
-std::uint64_t repairsThatSucceeded(bool paper, double opening) {
+struct Totals {
+  std::uint64_t repairs_tried = 0, repairs_succeeded = 0;
+  std::uint64_t across_grasps = 0;  ///< solutions over a junction of different grasps
+};
+
+/// Over twenty seeds with one worker; the search itself is deterministic.
+Totals totalsOf(const B4PParameters& parameters, double opening) {
+  ompl::msg::noOutputHandler();
   ompl::RNG::setSeed(1);
-  std::uint64_t repairs = 0;
+  Totals totals;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    B4PParameters parameters;
-    parameters.paper = paper;
     DiscWorld world = narrowWorld();
     world.walls = wallWithOpening(opening);
     SteppedSearch stepped(world, parameters);
     const auto worker = makeWorker(*stepped.search, seed);
     constexpr int kMany = 1000000;
     for (int i = 0; i < kMany && !stepped.search->finished(); ++i) worker->step();
-    EXPECT_TRUE(stepped.search->finished()) << "seed " << seed;
-    repairs += stepped.statistics.repairs_succeeded;
+    const auto path = stepped.search->takeSolution();
+    EXPECT_TRUE(path) << "seed " << seed;
+    if (!path) continue;
+    EXPECT_TRUE(path->check()) << "seed " << seed;
+    totals.repairs_tried += stepped.statistics.repairs_tried;
+    totals.repairs_succeeded += stepped.statistics.repairs_succeeded;
+    const auto junctions = stepped.search->connections();
+    totals.across_grasps += junctions.empty();
+    for (const Junction& junction : junctions)
+      EXPECT_EQ(junction.pick->tree->grasp, junction.place->tree->grasp);
   }
-  return repairs;
+  return totals;
 }
 
+B4PParameters inMode(bool paper) {
+  B4PParameters parameters;
+  parameters.paper = paper;
+  return parameters;
+}
+
+constexpr double kPaperOpening = 1.1, kDefaultOpening = 0.56;
+
 TEST(B4PWorker, TreesOfDifferentGraspsAreJoinedAndRepaired) {
-  ompl::msg::noOutputHandler();
-  EXPECT_GT(repairsThatSucceeded(true, 1.1), 0u) << "paper";
-  EXPECT_GT(repairsThatSucceeded(false, 0.56), 0u) << "default";
+  for (const bool paper : {false, true}) {
+    const Totals totals = totalsOf(inMode(paper), paper ? kPaperOpening : kDefaultOpening);
+    EXPECT_GT(totals.repairs_succeeded, 0u) << paper;
+    EXPECT_GT(totals.across_grasps, 0u) << paper;
+  }
+}
+
+TEST(B4PWorker, WithoutRelaxedOnlyTreesOfEqualGraspsAreJoined) {
+  for (const bool paper : {false, true}) {
+    B4PParameters parameters = inMode(paper);
+    parameters.relaxed = false;
+    const Totals totals = totalsOf(parameters, paper ? kPaperOpening : kDefaultOpening);
+    EXPECT_EQ(totals.repairs_tried, 0u) << paper;
+    EXPECT_EQ(totals.across_grasps, 0u) << paper;
+  }
+}
+
+// What is free without repair is a solution still.
+TEST(B4PWorker, WithoutRepairCollidingPathsAreThrownAway) {
+  for (const bool paper : {false, true}) {
+    B4PParameters parameters = inMode(paper);
+    parameters.repair = false;
+    EXPECT_EQ(totalsOf(parameters, paper ? kPaperOpening : kDefaultOpening).repairs_tried, 0u) << paper;
+    const double wide = 4.0;
+    const Totals in_the_open = totalsOf(parameters, wide);
+    EXPECT_EQ(in_the_open.repairs_tried, 0u) << paper;
+    if (paper) {
+      EXPECT_GT(in_the_open.across_grasps, 0u);
+    }
+  }
 }
 
 }  // namespace

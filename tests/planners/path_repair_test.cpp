@@ -54,8 +54,7 @@ class Repair : public ::testing::Test {
   }
 
   PathRepair::Status finish(PathRepair& repair) {
-    while (repair.step(motion) == PathRepair::Status::kRunning) {
-    }
+    while (const auto attempt = repair.replan(motion)) repair.accept(*attempt);
     return repair.status();
   }
 

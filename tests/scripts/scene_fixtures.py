@@ -80,6 +80,8 @@ class Task:
         }
         self.forests = {
             "schema": 1,
+            "scene": str(folder / "scene.yaml"),
+            "openings_m": {"0": 0},
             "nodes": [
                 {"side": 0, "grasp": 0, "parent": -1, "q": path[0]},
                 {"side": 0, "grasp": 0, "parent": 0, "q": path[1]},

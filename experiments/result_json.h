@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "experiments/json_value.h"
+#include "experiments/result.h"
+
+namespace b4p {
+
+/// What a result file holds, as part of another file. @throws std::invalid_argument as writeResult() does.
+Json resultJson(const PlanResult& result);
+
+Json graspJson(const Grasp& grasp);
+
+/// @throws InputError as readResult() does
+Grasp graspFrom(const JsonValue& value);
+
+/// @throws InputError as readResult() does
+PlanResult resultFrom(const JsonValue& root);
+
+}  // namespace b4p
