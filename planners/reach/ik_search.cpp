@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/reach/ik_search.h"
 
-#include <algorithm>
-
 namespace b4p {
 
 namespace ob = ompl::base;
@@ -29,10 +27,7 @@ void IkSearch::dropGrasp() {
   target_ = nullptr;
 }
 
-std::uint64_t IkSearch::inThisRound(unsigned budget) const {
-  constexpr std::uint64_t kMostDoublings = 30;
-  return static_cast<std::uint64_t>(budget) << std::min(deck_.roundsEnded(), kMostDoublings);
-}
+std::uint64_t IkSearch::inThisRound(unsigned budget) const { return budget * (deck_.roundsEnded() + 1); }
 
 void IkSearch::seekGoal() {
   if (grasp_ == kNoGrasp) {
@@ -52,10 +47,20 @@ void IkSearch::seekGoal() {
 std::optional<Junction> IkSearch::growToGoal() {
   const Node* near = forests().nearest(Side::kPick, target_->state);
   const Expansion grown = expand(forests(), Side::kPick, target_->state, motion());
-  if (grown.added) countOne(statistics().nodes);
   if (grown.node == nullptr) blocked_ = near;
-  if (!grown.reached) return {};
-  return Junction{grown.node, target_};
+  if (grown.reached) {
+    statistics().nodes += grown.added;
+    return Junction{grown.node, target_};
+  }
+  return grown.added ? accepted(grown.node) : std::nullopt;
+}
+
+// A node that happens to be within the tolerance of some grasp is as good as the one aimed at.
+std::optional<Junction> IkSearch::accepted(const Node* node) {
+  countOne(statistics().nodes);
+  const GraspId grasp = goal().graspOf(node->state);
+  if (grasp == kNoGrasp) return {};
+  return Junction{node, plantGoal(node->state, grasp)};
 }
 
 // The first iteration tries the straight way to a new goal; later ones do not repeat a motion that failed.
@@ -63,8 +68,8 @@ std::optional<Junction> IkSearch::grow() {
   const bool first = iterations_left_ == inThisRound(parameters_.iterations);
   if (first || motion().random().uniform01() < parameters_.goal_bias)
     if (forests().nearest(Side::kPick, target_->state) != blocked_) return growToGoal();
-  if (expand(forests(), Side::kPick, motion().sample(), motion()).added) countOne(statistics().nodes);
-  return {};
+  const Expansion grown = expand(forests(), Side::kPick, motion().sample(), motion());
+  return grown.added ? accepted(grown.node) : std::nullopt;
 }
 
 }  // namespace b4p

@@ -20,6 +20,7 @@ class IkSearch : public ReachSearch {
   void seekGoal();
   std::optional<Junction> growToGoal();
   std::optional<Junction> grow();
+  std::optional<Junction> accepted(const Node* node);
   void dropGrasp();
   std::uint64_t inThisRound(unsigned budget) const;
 

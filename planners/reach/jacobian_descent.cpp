@@ -45,8 +45,9 @@ Eigen::VectorXd jacobianStep(const TcpJacobian& jacobian, const TcpTwist& twist,
     dq = stopped + J.transpose() * Eigen::LLT<Matrix6d>(normal).solve(wanted);
     bool more = false;
     for (Eigen::Index i = 0; i < q.size(); ++i) {
-      const double within = std::clamp(q[i] + dq[i], lower[i], upper[i]) - q[i];
-      if (within == dq[i] || J.col(i).isZero(0.0)) continue;
+      const double to = q[i] + dq[i];
+      if ((to >= lower[i] && to <= upper[i]) || J.col(i).isZero(0.0)) continue;
+      const double within = std::clamp(to, lower[i], upper[i]) - q[i];
       stopped[i] = within;
       wanted -= J.col(i) * within;
       J.col(i).setZero();

@@ -16,7 +16,7 @@ struct JPlusRRTParameters {
   double cartesian_step = 0.05;  ///< longest step of the TCP while steering (m), > 0
   unsigned steering_steps = 100;       ///< steps after which steering gives up, >= 1
   double orientation_distance = 0.15;  ///< farther from the grasp only its position counts (m), > 0
-  double range = 1.0;  ///< longest random motion, in the metric of the space; 0: as far as it stays free
+  double range = 0.0;  ///< longest random motion, in the metric of the space; 0: as far as it stays free
   bool scaled_metric = true;  ///< nearest nodes by joints in shares of their range, or by the space's metric
 
   /// Empty when all is in range, otherwise what is not.

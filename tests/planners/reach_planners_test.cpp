@@ -414,7 +414,7 @@ TEST(IKRRTPlanner, DrawsEachGraspOnceARound) {
   parameters.ik_attempts = 3;
   planner.setParameters(parameters);
   planner.setProblemDefinition(setup.problem);
-  const std::size_t first_round = 6 * 3, second_round = 6 * 6;  // budgets double
+  const std::size_t first_round = 6 * 3, second_round = 6 * 6;  // twice as much
   const auto end = [&] { return asked.size() == first_round + second_round; };
   EXPECT_EQ(planner.solve(ob::PlannerTerminationCondition(end)), ob::PlannerStatus::TIMEOUT);
   std::map<long, int> first, both;
