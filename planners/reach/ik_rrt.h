@@ -11,8 +11,8 @@ namespace b4p {
 /// Settings of IK-RRT. Budgets are those of the first round over all grasps; round n has n times as much.
 struct IKRRTParameters {
   unsigned ik_attempts = 20;  ///< random restarts of inverse kinematics per grasp, >= 1
-  unsigned iterations = 100;  ///< of the search to a goal configuration before its grasp is dropped, >= 1
-  double goal_bias = 0.1;     ///< share of iterations that grow to the goal configuration, 0 < ... <= 1
+  unsigned iterations = 20;   ///< of the search to a goal configuration before its grasp is dropped, >= 1
+  double goal_bias = 0.1;     ///< share of iterations that grow to goal configurations, 0 < ... <= 1
   double range = 0.0;         ///< longest motion, in the metric of the space; 0: as far as it stays free
 
   /// Empty when all is in range, otherwise what is not.

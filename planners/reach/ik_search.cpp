@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/reach/ik_search.h"
 
+#include <algorithm>
+
 namespace b4p {
 
 namespace ob = ompl::base;
@@ -13,7 +15,7 @@ IkSearch::IkSearch(const ob::SpaceInformationPtr& si, const ReachGoal& goal,
       deck_(goal.targets().size()) {}
 
 std::optional<Junction> IkSearch::step() {
-  if (target_ == nullptr) {
+  if (iterations_left_ == 0) {
     seekGoal();
     return {};
   }
@@ -24,7 +26,7 @@ std::optional<Junction> IkSearch::step() {
 
 void IkSearch::dropGrasp() {
   grasp_ = kNoGrasp;
-  target_ = nullptr;
+  iterations_left_ = 0;
 }
 
 std::uint64_t IkSearch::inThisRound(unsigned budget) const { return budget * (deck_.roundsEnded() + 1); }
@@ -36,40 +38,45 @@ void IkSearch::seekGoal() {
     countOne(statistics().grasps_tried);
   }
   if (const ob::State* state = configurations_.attempt(grasp_)) {
-    target_ = plantGoal(state, grasp_);
+    aimAt(plantGoal(state, grasp_));
     iterations_left_ = inThisRound(parameters_.iterations);
-    blocked_ = nullptr;
   } else if (--attempts_left_ == 0) {
     dropGrasp();
   }
 }
 
-std::optional<Junction> IkSearch::growToGoal() {
-  const Node* near = forests().nearest(Side::kPick, target_->state);
-  const Expansion grown = expand(forests(), Side::kPick, target_->state, motion());
-  if (grown.node == nullptr) blocked_ = near;
-  if (grown.reached) {
-    statistics().nodes += grown.added;
-    return Junction{grown.node, target_};
-  }
-  return grown.added ? accepted(grown.node) : std::nullopt;
+void IkSearch::aimAt(const Node* goal_root) {
+  const auto is_it = [goal_root](const Target& target) { return target.root == goal_root; };
+  targets_.erase(std::remove_if(targets_.begin(), targets_.end(), is_it), targets_.end());
+  targets_.push_back({goal_root, nullptr});
 }
 
-// A node that happens to be within the tolerance of some grasp is as good as the one aimed at.
-std::optional<Junction> IkSearch::accepted(const Node* node) {
-  countOne(statistics().nodes);
-  const GraspId grasp = goal().graspOf(node->state);
-  if (grasp == kNoGrasp) return {};
-  return Junction{node, plantGoal(node->state, grasp)};
-}
-
-// The first iteration tries the straight way to a new goal; later ones do not repeat a motion that failed.
+// A new goal is tried at once. Earlier ones keep half of the goal bias: the tree has grown since.
 std::optional<Junction> IkSearch::grow() {
-  const bool first = iterations_left_ == inThisRound(parameters_.iterations);
-  if (first || motion().random().uniform01() < parameters_.goal_bias)
-    if (forests().nearest(Side::kPick, target_->state) != blocked_) return growToGoal();
-  const Expansion grown = expand(forests(), Side::kPick, motion().sample(), motion());
-  return grown.added ? accepted(grown.node) : std::nullopt;
+  Target& newest = targets_.back();
+  if (iterations_left_ == inThisRound(parameters_.iterations)) return growTo(newest);
+  if (motion().random().uniform01() >= parameters_.goal_bias) return growTo(motion().sample());
+  if (motion().random().uniformBool()) return growTo(newest);
+  return growTo(targets_[motion().random().uniformInt(0, static_cast<int>(targets_.size()) - 1)]);
+}
+
+// Does not repeat a motion that failed.
+std::optional<Junction> IkSearch::growTo(Target& target) {
+  const Node* near = forests().nearest(Side::kPick, target.root->state);
+  if (near == target.blocked) return growTo(motion().sample());
+  const std::optional<Junction> junction = growTo(target.root->state);
+  if (!junction && forests().nearest(Side::kPick, target.root->state) == near) target.blocked = near;
+  return junction;
+}
+
+// A node within the tolerance of any grasp is as good as the goal configuration aimed at.
+std::optional<Junction> IkSearch::growTo(const ob::State* target) {
+  const Expansion grown = expand(forests(), Side::kPick, target, motion());
+  if (!grown.added) return {};
+  countOne(statistics().nodes);
+  const GraspId grasp = goal().graspOf(grown.node->state);
+  if (grasp == kNoGrasp) return {};
+  return Junction{grown.node, plantGoal(grown.node->state, grasp)};
 }
 
 }  // namespace b4p

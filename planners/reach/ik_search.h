@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "planners/reach/goal_configurations.h"
 #include "planners/reach/ik_rrt.h"
 #include "planners/reach/reach_search.h"
@@ -17,10 +19,17 @@ class IkSearch : public ReachSearch {
   std::optional<Junction> step() override;
 
  private:
+  /// A goal configuration.
+  struct Target {
+    const Node* root;
+    const Node* blocked;  ///< from here the motion to it could not begin
+  };
+
   void seekGoal();
-  std::optional<Junction> growToGoal();
+  void aimAt(const Node* goal_root);
   std::optional<Junction> grow();
-  std::optional<Junction> accepted(const Node* node);
+  std::optional<Junction> growTo(Target& target);
+  std::optional<Junction> growTo(const ompl::base::State* target);
   void dropGrasp();
   std::uint64_t inThisRound(unsigned budget) const;
 
@@ -29,9 +38,8 @@ class IkSearch : public ReachSearch {
   GraspDeck deck_;
   GraspId grasp_ = kNoGrasp;  ///< being tried
   std::uint64_t attempts_left_ = 0;
-  const Node* target_ = nullptr;  ///< the grasp's goal configuration, once there is one
-  std::uint64_t iterations_left_ = 0;
-  const Node* blocked_ = nullptr;  ///< from here the motion to the target could not begin
+  std::vector<Target> targets_;        ///< found so far, that of the grasp being tried last
+  std::uint64_t iterations_left_ = 0;  ///< 0 while the grasp has no target
 };
 
 }  // namespace b4p

@@ -44,7 +44,7 @@ class ReachGoal : public ompl::base::GoalSampleableRegion {
   void setAttempts(unsigned attempts);
   unsigned attempts() const { return attempts_; }
 
-  /// The grasp that a state satisfies, the nearest where they are several; kNoGrasp for none.
+  /// The grasp that a state satisfies, the first where they are several; kNoGrasp for none.
   GraspId graspOf(const ompl::base::State* state) const;
 
   void sampleGoal(ompl::base::State* state) const override;

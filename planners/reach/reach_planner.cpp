@@ -27,6 +27,7 @@ void ReachPlanner::clear() {
 
 void ReachPlanner::forget() {
   connections_.clear();
+  solved_grasp_ = kNoGrasp;
   search_.reset();
   statistics_.reset();
 }
@@ -54,6 +55,7 @@ ob::PlannerStatus ReachPlanner::search(const ob::PlannerTerminationCondition& pt
   }
   if (!solution) return ob::PlannerStatus::TIMEOUT;
   connections_.push_back(*solution);
+  solved_grasp_ = goal->graspOf(solution->place->state);
   addSolution(pathThrough(*solution, si_).path);
   return ob::PlannerStatus::EXACT_SOLUTION;
 }
@@ -76,10 +78,6 @@ void ReachPlanner::plantStarts() {
     else if (joints.contains(joints.q(start)))
       search_->plantStart(start);
   }
-}
-
-GraspId ReachPlanner::solvedGrasp() const {
-  return connections_.empty() ? kNoGrasp : connections_.back().place->tree->placement;
 }
 
 void ReachPlanner::getPlannerData(ob::PlannerData& data) const {

@@ -31,8 +31,8 @@ class ReachPlanner : public GuardedPlanner {
   /// start to goal. The property "grasp id INTEGER" is the grasp of the last solution, -1 without any.
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
-  /// The grasp that the last solution reaches; kNoGrasp while there is none.
-  GraspId solvedGrasp() const;
+  /// The grasp that the last solution reaches, as ReachGoal::graspOf() says; kNoGrasp while there is none.
+  GraspId solvedGrasp() const { return solved_grasp_; }
 
  protected:
   ReachPlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
@@ -52,6 +52,7 @@ class ReachPlanner : public GuardedPlanner {
   ompl::base::GoalPtr goal_;
   std::unique_ptr<ReachSearch> search_;
   std::vector<Junction> connections_;  ///< of the solutions so far
+  GraspId solved_grasp_ = kNoGrasp;
 };
 
 /// A ReachPlanner whose OMPL parameters are the fields of a plain struct.
