@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include <ompl/util/Console.h>
+
 #include "experiments/certification/digest.h"
 #include "experiments/interrupt.h"
 
@@ -19,6 +21,7 @@ Certifier::Certifier(const Scene& scene, const CertificateSettings& settings)
       examiner_(scene, settings),
       begin_(std::chrono::steady_clock::now()),
       examinations_(examiner_.grasps().size()) {
+  ompl::msg::noOutputHandler();
   if (!examiner_.whyNoProof().empty()) settings_.grids.clear();
   settings_.grasps = static_cast<int>(examiner_.grasps().size());
 }

@@ -93,9 +93,37 @@ Grasp BoxGraspSampler::sample(std::mt19937_64& random) const {
   }
 }
 
+StickGraspSampler::StickGraspSampler(const StickGrasps& stick, double max_opening_m) : stick_(stick) {
+  if (!(stick.radius_m > 0.0) || !(stick.margin_m >= 0.0) || !(2.0 * stick.margin_m <= stick.length_m))
+    throw std::invalid_argument("radius and margins of a stick grasp leave nothing to hold");
+  if (!(stick.finger_depth_m > 0.0) || !(stick.finger_depth_m <= 2.0 * stick.radius_m))
+    throw std::invalid_argument("fingers have to reach into the stick's thickness");
+  if (!(stick.pad_clearance_m >= 0.0) || !(2.0 * (stick.radius_m + stick.pad_clearance_m) <= max_opening_m))
+    throw std::invalid_argument("the stick does not fit the gripper");
+}
+
+Grasp StickGraspSampler::sample(std::mt19937_64& random) const {
+  const double reach_m = stick_.length_m / 2.0 - stick_.margin_m;
+  const double along_m = uniform(random, -reach_m, reach_m);
+  const double angle = uniform(random, 0.0, 2.0 * kPi);
+  const Eigen::Vector3d approach(std::cos(angle), std::sin(angle), 0.0);
+  const double side = uniformIndex(random, 2) == 0 ? 1.0 : -1.0;  // which pad is on which side
+  Grasp grasp;
+  grasp.X_OT.linear() = toolAxes(approach, side * Eigen::Vector3d::UnitZ().cross(approach));
+  grasp.X_OT.translation() =
+      along_m * Eigen::Vector3d::UnitZ() + (stick_.finger_depth_m - stick_.radius_m) * approach;
+  grasp.opening_m = 2.0 * (stick_.radius_m + stick_.pad_clearance_m);
+  return grasp;
+}
+
 std::unique_ptr<const GraspSampler> makeGraspSampler(const GraspSource& source, double max_opening_m) {
   if (source.family == GraspFamily::kPolygonEdges)
     return std::make_unique<PolygonEdgeGraspSampler>(source.polygon_m, source.pad_clearance_m);
+  if (source.family == GraspFamily::kStick)
+    return std::make_unique<StickGraspSampler>(
+        StickGrasps{source.stick_length_m, source.stick_radius_m, source.margin_m, source.finger_depth_m,
+                    source.pad_clearance_m},
+        max_opening_m);
   return std::make_unique<BoxGraspSampler>(source.box_size_m, source.finger_depth_m, source.pad_clearance_m,
                                            max_opening_m);
 }

@@ -62,6 +62,29 @@ class BoxGraspSampler : public GraspSampler {
   std::vector<Grasp> none_;
 };
 
+/// Where a stick is and how it may be held, see StickGraspSampler.
+struct StickGrasps {
+  double length_m, radius_m;  ///< of the stick
+  double margin_m;            ///< how far the TCP stays from its ends
+  double finger_depth_m;      ///< how far the TCP reaches past the side it approaches from, <= 2 radius_m
+  double pad_clearance_m;     ///< between the stick and each pad
+};
+
+/// Parallel gripper across a round stick along the z axis of O, its middle in O's origin. The pads close on
+/// opposite sides; approach and closing axis are perpendicular to the stick. The approach is uniform over the
+/// full turn around the stick, the position uniform along it.
+class StickGraspSampler : public GraspSampler {
+ public:
+  /// @throws std::invalid_argument when the stick does not fit `max_opening_m` or leaves no room to hold it.
+  StickGraspSampler(const StickGrasps& stick, double max_opening_m);
+  const std::vector<Grasp>& all() const override { return none_; }
+  Grasp sample(std::mt19937_64& random) const override;
+
+ private:
+  StickGrasps stick_;
+  std::vector<Grasp> none_;
+};
+
 std::unique_ptr<const GraspSampler> makeGraspSampler(const GraspSource& source, double max_opening_m);
 
 }  // namespace b4p

@@ -73,12 +73,32 @@ GraspSource readPolygonGrasps(const YamlValue& edges) {
   return source;
 }
 
+GraspSource readStickGrasps(const YamlValue& stick, double max_opening_m) {
+  stick.allowKeys({"length_m", "radius_m", "margin_m", "finger_depth_m", "pad_clearance_m"});
+  GraspSource source;
+  source.family = GraspFamily::kStick;
+  source.box_size_m.setZero();
+  source.stick_length_m = stick["length_m"].positive(kFarthest_m);
+  source.stick_radius_m = stick["radius_m"].positive(kFarthest_m);
+  source.margin_m = stick["margin_m"].number(0.0, kFarthest_m);
+  source.finger_depth_m = stick["finger_depth_m"].positive(kFarthest_m);
+  source.pad_clearance_m = stick["pad_clearance_m"].number(0.0, kFarthest_m);
+  if (2.0 * source.margin_m > source.stick_length_m)
+    stick["margin_m"].failWithValue("leaves nothing of the stick to hold");
+  if (source.finger_depth_m > 2.0 * source.stick_radius_m)
+    stick["finger_depth_m"].failWithValue("is more than the stick is thick");
+  if (2.0 * (source.stick_radius_m + source.pad_clearance_m) > max_opening_m)
+    stick["radius_m"].failWithValue("does not fit the gripper's opening of " + std::to_string(max_opening_m) +
+                                    " m");
+  return source;
+}
+
 GraspSource readGrasps(const YamlValue& grasps, double max_opening_m) {
-  grasps.allowKeys({"box", "polygon_edges"});
-  const auto box = grasps.find("box");
-  const auto edges = grasps.find("polygon_edges");
-  if (box.has_value() == edges.has_value()) grasps.fail("needs exactly one of box and polygon_edges");
-  return box ? readBoxGrasps(*box, max_opening_m) : readPolygonGrasps(*edges);
+  grasps.allowKeys({"box", "stick", "polygon_edges"});
+  if (grasps.entries().size() != 1) grasps.fail("needs exactly one of box, stick and polygon_edges");
+  if (const auto box = grasps.find("box")) return readBoxGrasps(*box, max_opening_m);
+  if (const auto stick = grasps.find("stick")) return readStickGrasps(*stick, max_opening_m);
+  return readPolygonGrasps(grasps["polygon_edges"]);
 }
 
 PlacementSource readPlacement(const YamlValue& placement) {

@@ -61,6 +61,28 @@ std::string boxGraspProblem(const GraspSource& source, const Grasp& grasp) {
   return "";
 }
 
+std::string stickGraspProblem(const GraspSource& source, const Grasp& grasp) {
+  const Vector3d closing = grasp.X_OT.linear().col(1), approach = grasp.X_OT.linear().col(2);
+  const Vector3d p_OT = grasp.X_OT.translation();
+  if (std::abs(closing.z()) > kGraspTolerance)
+    return "grasp: the pads do not close across the stick";
+  if (std::abs(approach.z()) > kGraspTolerance) return "grasp: the hand does not stand across the stick";
+  const double past_end_m = std::abs(p_OT.z()) - (source.stick_length_m / 2.0 - source.margin_m);
+  if (past_end_m > kGraspTolerance)
+    return "grasp: the TCP is " + text(past_end_m) + " m past the margin at the stick's end";
+  const double gap_m = grasp.opening_m - 2.0 * source.stick_radius_m;
+  if (gap_m < -kGraspTolerance)
+    return "grasp: opening of " + text(grasp.opening_m) + " m is less than the stick is thick";
+  if (gap_m > 2.0 * source.pad_clearance_m + kGraspTolerance)
+    return "grasp: opening of " + text(grasp.opening_m) + " m does not hold the stick";
+  const double off_m = p_OT.dot(closing);
+  if (2.0 * std::abs(off_m) > gap_m + kGraspTolerance)
+    return "grasp: a pad lies inside the stick, the TCP is " + text(off_m) + " m off its axis";
+  if (std::abs(p_OT.dot(approach)) > source.stick_radius_m + kGraspTolerance)
+    return "grasp: the stick is not between the pads";
+  return "";
+}
+
 /// The gripper's front against the middle of edge `id` from outside.
 Isometry3d edgeGrasp(const GraspSource& source, std::size_t id) {
   const Eigen::Vector2d& a = source.polygon_m[id];
@@ -183,8 +205,12 @@ std::string graspProblem(const Scene& scene, const PlanResult& result, const Kin
     if (value < finger.lower - kLimitTolerance || value > finger.upper + kLimitTolerance)
       return "grasp: joint '" + name + "' at " + text(value) + " is outside its limits";
   }
-  return scene.grasps.family == GraspFamily::kBox ? boxGraspProblem(scene.grasps, grasp)
-                                                  : edgeGraspProblem(scene.grasps, result);
+  switch (scene.grasps.family) {
+    case GraspFamily::kBox: return boxGraspProblem(scene.grasps, grasp);
+    case GraspFamily::kStick: return stickGraspProblem(scene.grasps, grasp);
+    case GraspFamily::kPolygonEdges: return edgeGraspProblem(scene.grasps, result);
+  }
+  return "grasp: of no known family";
 }
 
 std::string endsProblem(const Scene& scene, const PlanResult& result, const Isometry3d& X_WO_first,

@@ -93,6 +93,17 @@ TEST(Bend, LetsTheShortBodyThrough) {
   EXPECT_FALSE(provedBlocked(bend(0.9), kFine));
 }
 
+TEST(FloodFromStart, BeginsOnTheBoundaryOfCellsToo) {
+  PlanarTask task = slot(0.5);
+  for (const double h : {0.01, 0.02, 0.05, 0.1})
+    for (int i = 0; i < 20; ++i) {
+      const Se2Grid grid = gridOf(task, {h, 32});
+      task.start = {{grid.min_m.x() + (5 + i / 2) * h, grid.min_m.y() + (20 - i / 2) * h + 1.0},
+                    grid.layerAngle() * (i + 0.5)};
+      EXPECT_GT(floodFromStart(task, {h, 32}, never)->reached_cells, 0u) << h << " " << i;
+    }
+}
+
 TEST(FloodFromStart, GivesNoAnswerWhenStopped) {
   EXPECT_FALSE(floodFromStart(slot(0.3), kCoarse, [] { return true; }).has_value());
 }

@@ -135,7 +135,7 @@ TEST(PlanarScene, BaseThatIsTurnedAndMovedChangesNothing) {
   ASSERT_TRUE(problem.region->makeSceneContext(1)->pickRoot(1, q));
   const Eigen::Vector3d position = X * Eigen::Vector3d(q[0], q[1], 0.0);
   EXPECT_NEAR((task.start.position - position.head<2>()).norm(), 0.0, 1e-4);
-  EXPECT_NEAR(std::remainder(task.start.angle_rad - q[2] - 0.5, 2.0 * planar::kPi), 0.0, 1e-3);
+  EXPECT_NEAR(std::remainder(task.start.angle_rad - q[2], 2.0 * planar::kPi), 0.0, 1e-3);
   for (const double x : {-1.0, 3.0})
     for (const double y : {-1.0, 1.0}) {
       const Eigen::Vector3d corner = X * Eigen::Vector3d(x, y, 0.0);

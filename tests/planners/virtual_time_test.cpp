@@ -13,6 +13,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "planners/b4p/search.h"
 #include "planners/b4p/virtual_time_b4p.h"
 #include "planners/toy_world.h"
 

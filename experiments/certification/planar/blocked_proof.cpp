@@ -10,10 +10,13 @@
 namespace b4p::planar {
 namespace {
 
+/// So that what lies on the boundary between two cells is in one of them, whatever rounding does.
+constexpr double kRounding = 1e-6;  // m or rad
+
 /// Whether some angle of a layer lies in a window.
 bool layerMeets(const Se2Grid& grid, int layer, double middle_rad, double half_rad) {
   const double off = std::abs(std::remainder(grid.angleOf(layer) - middle_rad, 2.0 * kPi));
-  return off <= half_rad + grid.layerAngle() / 2.0;
+  return off <= half_rad + grid.layerAngle() / 2.0 + kRounding;
 }
 
 /// A rectangle of cells in one layer.
@@ -24,7 +27,7 @@ struct Patch {
 /// Cells that come nearer than `margin_m` (in x and y) to the rectangle [low, high].
 Patch patchNear(const Se2Grid& grid, const Eigen::Vector2d& low, const Eigen::Vector2d& high,
                 double margin_m) {
-  const double reach = margin_m + grid.cell_m / 2.0;
+  const double reach = margin_m + grid.cell_m / 2.0 + kRounding;
   return {grid.rowsWithin(low.y() - reach, high.y() + reach),
           grid.columnsWithin(low.x() - reach, high.x() + reach)};
 }
