@@ -72,8 +72,8 @@ std::optional<Junction> IkSearch::growTo(Target& target) {
 // A node within the tolerance of any grasp is as good as the goal configuration aimed at.
 std::optional<Junction> IkSearch::growTo(const ob::State* target) {
   const Expansion grown = expand(forests(), Side::kPick, target, motion());
-  if (!grown.added) return {};
-  countOne(statistics().nodes);
+  if (grown.node == nullptr) return {};
+  if (grown.added) countOne(statistics().nodes);
   const GraspId grasp = goal().graspOf(grown.node->state);
   if (grasp == kNoGrasp) return {};
   return Junction{grown.node, plantGoal(grown.node->state, grasp)};

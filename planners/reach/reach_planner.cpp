@@ -55,7 +55,7 @@ ob::PlannerStatus ReachPlanner::search(const ob::PlannerTerminationCondition& pt
   }
   if (!solution) return ob::PlannerStatus::TIMEOUT;
   connections_.push_back(*solution);
-  solved_grasp_ = goal->graspOf(solution->place->state);
+  solved_grasp_ = goal->graspOf(solution->place->tree->root->state);
   addSolution(pathThrough(*solution, si_).path);
   return ob::PlannerStatus::EXACT_SOLUTION;
 }

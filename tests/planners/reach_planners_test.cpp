@@ -187,13 +187,19 @@ TEST_P(ReachPlanners, StartAtAGraspIsSolved) {
   EXPECT_EQ(pathOf(setup).length(), 0.0);
 }
 
+// Also where inverse kinematics has no further answer to give.
 TEST_P(ReachPlanners, SolveGoesOnAfterASolution) {
-  const ArmProblem setup(ReachTargets::positions({{-1.2, 1.2, 0.0}, {-1.0, 1.0, 0.0}}), twoDiscs());
-  EXPECT_EQ(solve(setup), ob::PlannerStatus::EXACT_SOLUTION);
-  EXPECT_EQ(planner->ob::Planner::solve(kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
-  EXPECT_EQ(setup.problem->getSolutionCount(), 2u);
-  for (const ob::PlannerSolution& solution : setup.problem->getSolutions())
-    EXPECT_TRUE(setup.goal->isSatisfied(solution.path_->as<og::PathGeometric>()->getStates().back()));
+  for (const bool one_pose : {false, true}) {
+    planner.reset();
+    const ArmProblem setup(one_pose ? ReachTargets::poses(posesAt(kObject, {2.2}))
+                                    : ReachTargets::positions({{-1.2, 1.2, 0.0}, {-1.0, 1.0, 0.0}}),
+                           twoDiscs());
+    EXPECT_EQ(solve(setup), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(planner->ob::Planner::solve(kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(setup.problem->getSolutionCount(), 2u);
+    for (const ob::PlannerSolution& solution : setup.problem->getSolutions())
+      EXPECT_TRUE(setup.goal->isSatisfied(solution.path_->as<og::PathGeometric>()->getStates().back()));
+  }
 }
 
 TEST_P(ReachPlanners, SolveGoesOnAfterATimeout) {
@@ -215,10 +221,10 @@ TEST_P(ReachPlanners, SolveGoesOnAfterATimeout) {
 
 TEST_P(ReachPlanners, ClearForgets) {
   const ArmProblem setup(objectGrasps(), twoDiscs());
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 20; ++i) {
     setup.problem->clearSolutionPaths();
     ASSERT_EQ(solve(setup), ob::PlannerStatus::EXACT_SOLUTION);
-    expectPath(setup);
+    EXPECT_EQ(expectPath(setup), reach().solvedGrasp());
     planner->clear();
     EXPECT_EQ(reach().solvedGrasp(), kNoGrasp);
     ob::PlannerData data(setup.si);
