@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "experiments/interrupt.h"
-#include "planners/parallel_planner.h"
+#include "planners/guarded_planner.h"
 
 namespace b4p {
 
@@ -17,7 +17,7 @@ namespace {
 
 /// Why a planner says that it crashed, having caught the exception by itself.
 std::string ownAccount(const ob::Planner& planner) {
-  const auto* own = dynamic_cast<const ParallelPlanner*>(&planner);
+  const auto* own = dynamic_cast<const GuardedPlanner*>(&planner);
   return own == nullptr || own->lastError().empty() ? "the planner gives no reason" : own->lastError();
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/parallel_planner.h"
 
-#include <exception>
-
-#include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -13,24 +10,14 @@
 namespace b4p {
 
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
 ParallelPlanner::ParallelPlanner(const ob::SpaceInformationPtr& si, const std::string& name)
-    : ob::Planner(si, name) {
-  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    : GuardedPlanner(si, name) {
   specs_.multithreaded = true;
-  specs_.approximateSolutions = false;
-  specs_.optimizingPaths = false;
-  specs_.directed = true;
 
   declareProgress("iterations INTEGER", statistics_.iterations);
   declareProgress("roots INTEGER", statistics_.roots);
   declareProgress("tree nodes INTEGER", statistics_.nodes);
-}
-
-void ParallelPlanner::declareProgress(const std::string& name, const std::atomic<std::uint64_t>& count) {
-  addPlannerProgressProperty(name,
-                             [&count] { return std::to_string(count.load(std::memory_order_relaxed)); });
 }
 
 void ParallelPlanner::clear() {
@@ -50,20 +37,6 @@ void ParallelPlanner::checkValidity() {
   const bool draws_its_starts = pdef_ && dynamic_cast<const PlaceGoal*>(pdef_->getGoal().get()) != nullptr;
   if (!draws_its_starts) return Planner::checkValidity();
   if (!isSetup()) setup();
-}
-
-ob::PlannerStatus ParallelPlanner::solve(const ob::PlannerTerminationCondition& ptc) {
-  checkValidity();
-  last_error_.clear();
-  try {
-    return search(ptc);
-  } catch (const std::exception& e) {
-    last_error_ = e.what();
-  } catch (...) {
-    last_error_ = "an exception of unknown type";
-  }
-  OMPL_ERROR("%s: stopped by %s", getName().c_str(), last_error_.c_str());
-  return ob::PlannerStatus::CRASH;
 }
 
 ob::PlannerStatus ParallelPlanner::search(const ob::PlannerTerminationCondition& ptc) {
@@ -170,33 +143,11 @@ void ParallelPlanner::work(const std::function<void(std::size_t)>& step, const s
   });
 }
 
-void ParallelPlanner::addSolution(const og::PathGeometric& path) {
-  const auto solution_path = std::make_shared<og::PathGeometric>(path);
-  ob::PlannerSolution solution(solution_path);
-  solution.setPlannerName(getName());
-  if (const auto& objective = pdef_->getOptimizationObjective()) {
-    const ob::Cost cost = solution_path->cost(objective);
-    solution.setOptimized(objective, cost, objective->isSatisfied(cost));
-  }
-  pdef_->addSolutionPath(solution);
-}
-
 void ParallelPlanner::getPlannerData(ob::PlannerData& data) const {
   Planner::getPlannerData(data);
   if (!search_) return;
-  constexpr int kPickTag = 1, kPlaceTag = 2;
-  search_->forEachNode([&data](const Node& node) {
-    const bool pick = node.tree->side == Side::kPick;
-    const ob::PlannerDataVertex vertex(node.state, pick ? kPickTag : kPlaceTag);
-    if (node.parent == nullptr) {
-      pick ? data.addStartVertex(vertex) : data.addGoalVertex(vertex);
-    } else {
-      const ob::PlannerDataVertex parent(node.parent->state, pick ? kPickTag : kPlaceTag);
-      pick ? data.addEdge(parent, vertex) : data.addEdge(vertex, parent);
-    }
-  });
-  for (const Junction& junction : search_->connections())
-    data.addEdge(ob::PlannerDataVertex(junction.pick->state), ob::PlannerDataVertex(junction.place->state));
+  search_->forEachNode([&data](const Node& node) { addTo(data, node); });
+  for (const Junction& junction : search_->connections()) addTo(data, junction);
 }
 
 }  // namespace b4p

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <ompl/base/Planner.h>
-#include <ompl/util/Exception.h>
-
 #include "planners/b4p/statistics.h"
+#include "planners/guarded_planner.h"
 #include "planners/parallel_search.h"
 
 namespace b4p {
@@ -21,14 +17,10 @@ namespace b4p {
 ///
 /// With a PlaceGoal over a ManipulationStateSpace such a planner draws picks by itself; start states are
 /// further ones and may be missing. Solutions are exact paths, there are no approximate ones. solve() may be
-/// called again and continues the search there is; clear() forgets it. solve() never throws but for a missing
-/// problem definition: an exception out of the problem's own functions ends in PlannerStatus::CRASH. State
-/// validity checker, motion validator and goal are called from all threads at a time (sampling of a plain
-/// goal one thread at a time).
-class ParallelPlanner : public ompl::base::Planner {
+/// called again and continues the search there is; clear() forgets it. State validity checker, motion
+/// validator and goal are called from all threads at a time (sampling of a plain goal one thread at a time).
+class ParallelPlanner : public GuardedPlanner {
  public:
-  using Planner::solve;
-  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
   void clear() override;
 
   /// @throws ompl::Exception when there is no problem definition, no goal, or, but for a PlaceGoal, no start
@@ -38,9 +30,6 @@ class ParallelPlanner : public ompl::base::Planner {
   /// Vertices are tagged 1 (pick side) or 2 (place side); edges point from pick to place, over junctions as
   /// well (those whose path was repaired left aside).
   void getPlannerData(ompl::base::PlannerData& data) const override;
-
-  /// What ended the last solve() with PlannerStatus::CRASH; empty when nothing did.
-  const std::string& lastError() const { return last_error_; }
 
  protected:
   ParallelPlanner(const ompl::base::SpaceInformationPtr& si, const std::string& name);
@@ -56,12 +45,10 @@ class ParallelPlanner : public ompl::base::Planner {
   /// Through which workers see what others have done; nullptr: at once.
   virtual PublicationLog* publicationLog() { return nullptr; }
 
-  /// @param count  a member of statistics()
-  void declareProgress(const std::string& name, const std::atomic<std::uint64_t>& count);
   const Statistics& statistics() const { return statistics_; }
 
  private:
-  ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition& ptc);
+  ompl::base::PlannerStatus search(const ompl::base::PlannerTerminationCondition& ptc) override;
   void forget();
   void prepareSearch(const ompl::base::GoalSampleableRegion& goal);
   void beginSearch(const ompl::base::GoalSampleableRegion& goal);
@@ -72,51 +59,23 @@ class ParallelPlanner : public ompl::base::Planner {
   bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
                       const ompl::base::PlannerTerminationCondition& ptc);
-  void addSolution(const ompl::geometric::PathGeometric& path);
 
   Statistics statistics_;
-  std::string last_error_;
   ompl::base::ProblemDefinitionPtr problem_;  ///< what `search_` was made for
   ompl::base::GoalPtr goal_;
   std::unique_ptr<ParallelSearch> search_;
   std::vector<std::unique_ptr<ParallelWorker>> workers_;
 };
 
-/// A ParallelPlanner whose OMPL parameters are the fields of a plain struct.
-/// @tparam Parameters  has a field `threads`, and problem(): what is out of range, "" when nothing is
+/// A ParallelPlanner whose OMPL parameters are the fields of a plain struct. `threads` takes effect at the
+/// next solve(), all others at the first solve() after construction or clear().
+/// @tparam Parameters  has a field `threads`
 template <class Parameters>
-class ParametrisedPlanner : public ParallelPlanner {
- public:
-  const Parameters& parameters() const { return parameters_; }
-
-  /// `threads` takes effect at the next solve(), all others at the first solve() after construction or
-  /// clear().
-  /// @throws ompl::Exception naming what is out of range; nothing changes then.
-  void setParameters(const Parameters& parameters) {
-    const std::string problem = parameters.problem();
-    if (!problem.empty()) throw ompl::Exception(getName(), problem);
-    parameters_ = parameters;
-  }
-
+class ParametrisedPlanner : public WithParameters<ParallelPlanner, Parameters> {
  protected:
-  using ParallelPlanner::ParallelPlanner;
+  using WithParameters<ParallelPlanner, Parameters>::WithParameters;
 
-  /// @tparam Owner  Parameters or a base of it
-  template <class Value, class Owner>
-  void declare(const std::string& name, Value Owner::*field, const std::string& range) {
-    const auto set = [this, field](Value value) {
-      Parameters changed = parameters_;
-      changed.*field = value;
-      setParameters(changed);
-    };
-    params_.declareParam<Value>(name, set, [this, field] { return parameters_.*field; });
-    params_[name].setRangeSuggestion(range);
-  }
-
-  unsigned threadCount() const override { return parameters_.threads; }
-
- private:
-  Parameters parameters_;
+  unsigned threadCount() const override { return this->parameters().threads; }
 };
 
 }  // namespace b4p
