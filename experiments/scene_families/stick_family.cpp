@@ -113,7 +113,7 @@ SceneFamily stickFamily() {
   family.description =
       "A stick from two blocks into a rack on the wall. The stick passes under the bar along the rack's "
       "front; the hand above it passes only where the bar is open, in the middle. Hands elsewhere along the "
-      "stick have placements behind the bar, reached from above, but no way to them.";
+      "stick have placements behind the bar, reached from above, but hardly a way to them.";
   family.settings = "robot: panda\nedge_step_m: 0.01\ncontact_clearance_m: " + sceneNumber(kClearance_m) +
                     "\nbudget_s: 180\n";
   family.parameters = {
