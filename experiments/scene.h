@@ -28,10 +28,11 @@ enum class GraspFamily {
 struct GraspSource {
   GraspFamily family = GraspFamily::kBox;
   std::vector<Eigen::Vector2d> polygon_m;  ///< kPolygonEdges: outline, counter-clockwise, in the object frame
-  Eigen::Vector3d box_size_m = Eigen::Vector3d::Zero();             ///< kBox: sizes of the box that is grasped, centred in O
-  double stick_length_m = 0.0;             ///< kStick: along the z axis of O, its middle in O's origin
-  double stick_radius_m = 0.0;             ///< kStick
-  double margin_m = 0.0;                   ///< kStick: how far the TCP stays from the stick's ends
+  Eigen::Vector3d box_size_m =
+      Eigen::Vector3d::Zero();   ///< kBox: sizes of the box that is grasped, centred in O
+  double stick_length_m = 0.0;   ///< kStick: along the z axis of O, its middle in O's origin
+  double stick_radius_m = 0.0;   ///< kStick
+  double margin_m = 0.0;         ///< kStick: how far the TCP stays from the stick's ends
   double finger_depth_m = 0.0;   ///< kBox: how far the TCP reaches past the face it approaches through;
                                  ///< kStick: past the side of the stick it approaches from
   double pad_clearance_m = 0.0;  ///< gap left between the object and each pad (or the gripper's front)

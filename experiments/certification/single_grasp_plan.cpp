@@ -70,7 +70,8 @@ PlanResult planWithOneGrasp(Problem& problem, const std::vector<std::vector<doub
   }
 
   og::RRTConnect planner(problem.si);
-  // OMPL's own step is a fifth of the space's extent, the distance between grasps included: too long for narrow passages.
+  // OMPL's own step is a fifth of the space's extent, the distance between grasps included: too long for
+  // narrow passages.
   constexpr double kStepsAcross = 25.0;
   const auto& bounds = problem.space->bounds();
   double extent = 0.0;

@@ -15,8 +15,8 @@ ForestPair& Search::forestsOf(GraspId grasp) {
   if (!forests) {
     // Joins across grasps need an index over all forests; a single pair is its own.
     const bool several = region() != nullptr && !parameters_.paper;
-    forests = std::make_unique<ForestPair>(si(), grasps().distance(), key, several ? &everywhere_ : nullptr,
-                                           log());
+    forests =
+        std::make_unique<ForestPair>(si(), grasps().distance(), key, several ? &everywhere_ : nullptr, log());
     share(log(), [this, added = forests.get()] { schedule_.add(added); });
   }
   return *forests;
