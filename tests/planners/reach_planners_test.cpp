@@ -3,6 +3,7 @@
 // report, the life cycle of an ob::Planner, its status codes, an end in time, whatever the problem's
 // functions do. And what each keeps alone: no inverse kinematics, each grasp once a round, separate goal
 // roots. Last, ordinary planners on the same goal.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -398,14 +399,18 @@ TEST(JPlusRRTPlanner, DoesNotRepeatSteeringThatFailed) {
   EXPECT_LT(count("grasps tried INTEGER"), count("tree nodes INTEGER"));
   ob::PlannerData data(setup.si);
   planner.getPlannerData(data);
+  // Different ways may end in one state where all joints are at their limits, and nowhere else.
+  const auto at_limit = [](double value) { return std::abs(value) == PlanarArm::kLimit_rad; };
   std::set<std::vector<double>> states;
+  std::size_t visited = 0;
   std::vector<double> q;
   for (unsigned i = 0; i < data.numVertices(); ++i) {
     setup.space->copyToReals(q, data.getVertex(i).getState());
+    if (std::all_of(q.begin(), q.end(), at_limit)) continue;
+    ++visited;
     states.insert(q);
   }
-  // A way taken again would repeat all its states; two ways may meet in one, at the joint limits.
-  EXPECT_GE(1000 * states.size(), 999 * static_cast<std::size_t>(data.numVertices()));
+  EXPECT_EQ(states.size(), visited);
 }
 
 TEST(IKRRTPlanner, DrawsEachGraspOnceARound) {
