@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/deadline_planner.h"
 
-#include <time.h>
-
 #include <exception>
 #include <utility>
 
 #include "experiments/interrupt.h"
 #include "planners/guarded_planner.h"
+#include "planners/processor_time.h"
 
 namespace b4p {
 
@@ -19,14 +18,6 @@ namespace {
 std::string ownAccount(const ob::Planner& planner) {
   const auto* own = dynamic_cast<const GuardedPlanner*>(&planner);
   return own == nullptr || own->lastError().empty() ? "the planner gives no reason" : own->lastError();
-}
-
-/// Used by all threads of the process so far.
-double processorTime_s() {
-  constexpr double kNanosecond_s = 1e-9;
-  timespec used{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + kNanosecond_s * static_cast<double>(used.tv_nsec);
 }
 
 }  // namespace
@@ -45,7 +36,7 @@ DeadlinePlanner::DeadlinePlanner(const ob::PlannerPtr& planner, const RunLimits&
 }
 
 ob::PlannerStatus DeadlinePlanner::solve(const ob::PlannerTerminationCondition& ptc) {
-  const double cpu_before_s = processorTime_s();
+  const double cpu_before_s = processTime_s();
   LimitWatch limits(limits_, checks_);
   const ob::PlannerTerminationCondition done(
       [&ptc, &limits] { return limits.reached() || interrupted() || ptc(); });
@@ -63,7 +54,7 @@ ob::PlannerStatus DeadlinePlanner::solve(const ob::PlannerTerminationCondition& 
     crash_ = "unknown exception";
   }
   elapsed_s_ = limits.elapsed_s();
-  cpu_s_ = processorTime_s() - cpu_before_s;
+  cpu_s_ = processTime_s() - cpu_before_s;
   if (finish_) finish_();
   return status;
 }

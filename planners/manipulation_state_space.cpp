@@ -97,7 +97,7 @@ double extentOf(const ob::RealVectorBounds& bounds) {
 ManipulationStateSpace::ManipulationStateSpace(const ob::RealVectorBounds& bounds) : bounds_(bounds) {
   if (bounds_.low.empty()) throw ompl::Exception("manipulation space: no joints");
   bounds_.check();
-  const double extent = extentOf(bounds_);
+  const double extent = jointExtent();
   if (!std::isfinite(extent)) throw ompl::Exception("manipulation space: joint limits must be finite");
   constexpr double kBeyondAnyJointDistance = 1.1;
   grasp_distance_ = kBeyondAnyJointDistance * extent;
@@ -119,7 +119,9 @@ double ManipulationStateSpace::jointDistance(const ob::State* a, const ob::State
   return std::sqrt(squares);
 }
 
-double ManipulationStateSpace::getMaximumExtent() const { return extentOf(bounds_) + grasp_distance_; }
+double ManipulationStateSpace::jointExtent() const { return extentOf(bounds_); }
+
+double ManipulationStateSpace::getMaximumExtent() const { return jointExtent() + grasp_distance_; }
 
 double ManipulationStateSpace::getMeasure() const { return bounds_.getVolume(); }
 

@@ -40,6 +40,8 @@ class ManipulationStateSpace : public ompl::base::StateSpace {
   void setGraspCount(std::function<GraspId()> count) { grasp_count_ = std::move(count); }
   GraspId graspCount() const { return grasp_count_ ? grasp_count_() : 0; }
 
+  /// The largest joint distance inside the bounds.
+  double jointExtent() const;
   double jointDistance(const ompl::base::State* a, const ompl::base::State* b) const;
 
   unsigned int getDimension() const override { return dof(); }

@@ -8,6 +8,7 @@
 #include "experiments/certification/single_grasp_plan.h"
 #include "experiments/interrupt.h"
 #include "experiments/verification/verifier.h"
+#include "planners/processor_time.h"
 
 namespace b4p {
 namespace {
@@ -123,7 +124,7 @@ void GraspExaminer::plan(const std::vector<std::vector<double>>& starts, Examina
 }
 
 Examination GraspExaminer::examine(int id) const {
-  const double begin_s = threadSeconds();
+  const double begin_s = threadTime_s();
   const std::size_t grids = settings_.grids.size(), coarse = grids - (grids > 0 ? 1 : 0);
   Examination examination;
   GraspRecord& record = examination.record;
@@ -139,7 +140,7 @@ Examination GraspExaminer::examine(int id) const {
       if (record.status == GraspStatus::kUndecided) proveBlocked(record, coarse, grids);
     }
   }
-  record.seconds = threadSeconds() - begin_s;
+  record.seconds = threadTime_s() - begin_s;
   return examination;
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/certification/single_grasp_plan.h"
 
-#include <time.h>
-
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <random>
 
@@ -13,6 +10,7 @@
 
 #include "experiments/interrupt.h"
 #include "experiments/query.h"
+#include "planners/processor_time.h"
 
 namespace b4p {
 
@@ -48,13 +46,6 @@ class SeededSampler : public ob::StateSampler {
 
 }  // namespace
 
-double threadSeconds() {
-  constexpr double kNanosecond_s = 1e-9;
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + kNanosecond_s * static_cast<double>(now.tv_nsec);
-}
-
 PlanResult planWithOneGrasp(Problem& problem, const std::vector<std::vector<double>>& picks,
                             std::uint64_t seed, double effort_s) {
   problem.space->setStateSamplerAllocator([seed](const ob::StateSpace* space) {
@@ -73,16 +64,12 @@ PlanResult planWithOneGrasp(Problem& problem, const std::vector<std::vector<doub
   // OMPL's own step is a fifth of the space's extent, the distance between grasps included: too long for
   // narrow passages.
   constexpr double kStepsAcross = 25.0;
-  const auto& bounds = problem.space->bounds();
-  double extent = 0.0;
-  for (std::size_t i = 0; i < bounds.low.size(); ++i)
-    extent = std::hypot(extent, bounds.high[i] - bounds.low[i]);
-  planner.setRange(extent / kStepsAcross);
+  planner.setRange(problem.space->jointExtent() / kStepsAcross);
   planner.setProblemDefinition(problem.pdef);
   planner.setup();
-  const double begin_s = threadSeconds();
+  const double begin_s = threadTime_s();
   const ob::PlannerStatus status = planner.solve(ob::PlannerTerminationCondition(
-      [end_s = begin_s + effort_s] { return threadSeconds() >= end_s || interrupted(); }));
+      [end_s = begin_s + effort_s] { return threadTime_s() >= end_s || interrupted(); }));
 
   PlanResult result = pathResult(problem, status);
   result.scene = problem.scene.name;
@@ -90,7 +77,7 @@ PlanResult planWithOneGrasp(Problem& problem, const std::vector<std::vector<doub
   planner.params().getParams(result.parameters);
   result.seed = seed;
   result.time_limit_s = effort_s;
-  result.planning_time_s = threadSeconds() - begin_s;
+  result.planning_time_s = threadTime_s() - begin_s;
   return result;
 }
 

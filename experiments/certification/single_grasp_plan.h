@@ -9,9 +9,6 @@
 
 namespace b4p {
 
-/// Processor time that the calling thread has used (s).
-double threadSeconds();
-
 /// OMPL's RRTConnect from picks of one grasp to placements with that grasp, for at most `effort_s` seconds of
 /// the thread's processor time (or until interrupted()), so that a busy machine makes no difference. Its
 /// samples and placements depend on the seed alone, whatever other threads do. Not verified.

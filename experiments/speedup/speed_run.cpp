@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/speedup/speed_run.h"
 
-#include <ctime>
 #include <memory>
 #include <stdexcept>
 
 #include "experiments/verification/verifier.h"
 #include "planners/b4p/virtual_time_b4p.h"
+#include "planners/processor_time.h"
 
 namespace b4p {
 
@@ -26,8 +26,6 @@ QuerySettings settingsFor(const SpeedStudy& study, const SpeedCase& which) {
   settings.time_limit_s = which.real_threads ? study.time_limit_s : kNoLimit_s;
   return settings;
 }
-
-double processTime_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::uint64_t iterationsOf(const ob::Planner& planner) {
   const auto& properties = planner.getPlannerProgressProperties();

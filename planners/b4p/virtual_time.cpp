@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/b4p/virtual_time.h"
 
-#include <time.h>
-
 #include <algorithm>
-#include <chrono>
 #include <utility>
+
+#include "planners/processor_time.h"
 
 namespace b4p {
 
-namespace {
-
-double now_s() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  constexpr double kNano = 1e-9;
-  timespec time{};
-  if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
-    return static_cast<double>(time.tv_sec) + kNano * static_cast<double>(time.tv_nsec);
-#endif
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
-
 double threadCost(const std::function<void()>& work) {
-  const double begin_s = now_s();
+  const double begin_s = threadTime_s();
   work();
-  return now_s() - begin_s;
+  return threadTime_s() - begin_s;
 }
 
 VirtualTime::VirtualTime(std::size_t workers, PublicationLog& log, CostClock cost)
