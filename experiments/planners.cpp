@@ -107,6 +107,7 @@ std::string parameterMeaning(const ob::Planner& planner, const std::string& name
       {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
       {"slice",
        "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},
+      {"retreat_steps", "b4p: nodes in a row on each straight way out of a root; 0: no such ways (count)"},
       {"root_attempts",
        "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},
       {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "experiments/floating_body.h"
+#include "experiments/retreat.h"
 
 namespace b4p {
 namespace {
@@ -65,6 +66,7 @@ struct SceneRegionContext::Impl {
         collisions(checker.makeContext()),
         gripper(gripper_checker),
         kinematics(makeInverseKinematics(robot, kIkTolerance)),
+        retreat(robot),
         random(seed) {}
 
   const SceneRegion& region;
@@ -72,6 +74,7 @@ struct SceneRegionContext::Impl {
   std::unique_ptr<CollisionContext> collisions;
   FloatingBody gripper;
   std::unique_ptr<InverseKinematics> kinematics;
+  Retreat retreat;
   std::mt19937_64 random;
   Eigen::VectorXd answer;
 };
@@ -116,6 +119,12 @@ PlacementId SceneRegionContext::samplePlacement() {
 
 bool SceneRegionContext::placeRoot(PlacementId placement, GraspId grasp, double* q) {
   return root(impl_->region.placement(placement), impl_->region.grasp(grasp), q) == RootOutcome::kValid;
+}
+
+int SceneRegionContext::retreatDirections() const { return Retreat::kDirections; }
+
+bool SceneRegionContext::retreat(const double* q, GraspId, int direction, double* next) {
+  return impl_->retreat.step(q, direction, next);
 }
 
 RootOutcome SceneRegionContext::pick(const Grasp& grasp, double* q, std::string& collision) {

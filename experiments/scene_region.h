@@ -69,6 +69,8 @@ class SceneRegionContext : public PickPlaceContext {
   bool samplePick(double* q, GraspId& grasp) override;
   PlacementId samplePlacement() override;
   bool placeRoot(PlacementId placement, GraspId grasp, double* q) override;
+  int retreatDirections() const override;
+  bool retreat(const double* q, GraspId grasp, int direction, double* next) override;
 
   /// A configuration that holds the object at its start pose with a known grasp.
   bool pickRoot(GraspId grasp, double* q);

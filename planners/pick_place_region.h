@@ -29,6 +29,17 @@ class PickPlaceContext {
   /// Eq. 3: a valid configuration that holds the object at `placement` with `grasp`. False when none was
   /// found.
   virtual bool placeRoot(PlacementId placement, GraspId grasp, double* q) = 0;
+
+  /// Ways straight out of a narrow place, along which trees may leave their roots: how many directions there
+  /// are. 0 where a region knows none.
+  virtual int retreatDirections() const { return 0; }
+
+  /// The configuration a little further along direction 0 ... retreatDirections()-1, the object keeping its
+  /// orientation, near q. Not checked for collisions. False when there is none.
+  virtual bool retreat(const double* q, GraspId grasp, int direction, double* next) {
+    static_cast<void>(q), static_cast<void>(grasp), static_cast<void>(direction), static_cast<void>(next);
+    return false;
+  }
 };
 
 /// Where the object is picked and where it may be placed. Immutable but for its tables of grasps and

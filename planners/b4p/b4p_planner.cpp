@@ -15,6 +15,7 @@ B4P::B4P(const ompl::base::SpaceInformationPtr& si) : ParametrisedPlanner(si, "B
   declare("repair", &B4PParameters::repair, "0,1");
   declare("range", &B4PParameters::range, "0.:0.01:10000.");
   declare("slice", &B4PParameters::slice, "1:1:100000");
+  declare("retreat_steps", &B4PParameters::retreat_steps, "0:1:100");
   declare("root_attempts", &B4PParameters::root_attempts, "1:1:10000");
   declare("repair_iterations", &B4PParameters::repair_iterations, "1:1:100000");
 

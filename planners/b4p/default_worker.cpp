@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "planners/b4p/retreat.h"
+
 namespace b4p {
 
 namespace ob = ompl::base;
@@ -52,6 +54,7 @@ void DefaultWorker::seekPlaceRoot() {
 void DefaultWorker::grow(ForestPair& forests) {
   // Each turn begins with the straight way to a root.
   const bool first = left_ == search().parameters().slice;
+  if (first && search().region() != nullptr) retreatFromRoots(forests);
   const ob::State* target = first ? anyRoot(forests, opposite(next_side_)) : motion().sample();
   const Growth growth = growAndConnect(forests, next_side_, target, motion());
   next_side_ = opposite(next_side_);
@@ -60,6 +63,13 @@ void DefaultWorker::grow(ForestPair& forests) {
   countOne(search().statistics().connections_tried);
   if (growth.junction && search().rootsMatch(*growth.junction)) return search().publish(*growth.junction);
   if (search().region() != nullptr && search().parameters().relaxed) joinAcrossGrasps(growth.grown);
+}
+
+void DefaultWorker::retreatFromRoots(const ForestPair& forests) {
+  for (const Side side : {Side::kPick, Side::kPlace})
+    for (Tree* tree : forests.trees(side))
+      search().statistics().nodes +=
+          retreat(*tree, search().parameters().retreat_steps, region(), motion(), root());
 }
 
 const ob::State* DefaultWorker::anyRoot(const ForestPair& forests, Side side) {

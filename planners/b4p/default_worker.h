@@ -9,9 +9,10 @@
 namespace b4p {
 
 /// The worker of the default search. Each grasp has forests of its own, which grow by RRT-Connect and are
-/// served in turn (Schedule); roots are drawn without limit. Every new node is also offered to the nearest
-/// tree of any other grasp: if Eq. 3 has a root for it, the two are joined and the path repaired. What a
-/// failed repair found out is kept: the free ends of its path join the trees.
+/// served in turn (Schedule); roots are drawn without limit, and trees leave them by straight ways
+/// (retreat()). Every new node is also offered to the nearest tree of any other grasp: if Eq. 3 has a root
+/// for it, the two are joined and the path repaired. What a failed repair found out is kept: the free ends of
+/// its path join the trees.
 class DefaultWorker : public Worker {
  public:
   using Worker::Worker;
@@ -28,6 +29,7 @@ class DefaultWorker : public Worker {
   void drawRoots();
   void seekPlaceRoot();
   void grow(ForestPair& forests);
+  void retreatFromRoots(const ForestPair& forests);
   const ompl::base::State* anyRoot(const ForestPair& forests, Side side);
   void joinAcrossGrasps(const Node* grown);
   const Tree* placeTreeFor(PlacementId placement, GraspId grasp);

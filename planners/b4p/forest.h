@@ -39,6 +39,7 @@ struct Tree {
   Node* root;
   ForestPair* home;
   std::atomic<std::size_t> size{1};
+  std::atomic<bool> has_retreated{false};  ///< its root's straight ways out have been tried
 };
 
 using StateDistance = std::function<double(const ompl::base::State*, const ompl::base::State*)>;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/b4p/retreat.h"
+
+#include "planners/manipulation_state_space.h"
+
+namespace b4p {
+
+namespace ob = ompl::base;
+
+namespace {
+
+double* joints(ob::State* state) { return state->as<ManipulationStateSpace::StateType>()->q; }
+const double* joints(const ob::State* state) { return state->as<ManipulationStateSpace::StateType>()->q; }
+
+}  // namespace
+
+std::size_t retreat(Tree& tree, unsigned steps, PickPlaceContext& region, Motion& motion,
+                    ob::State* scratch) {
+  if (steps == 0 || tree.has_retreated.exchange(true)) return 0;
+  std::size_t added = 0;
+  for (int direction = 0; direction < region.retreatDirections(); ++direction) {
+    const Node* node = tree.root;
+    for (unsigned step = 0; step < steps; ++step) {
+      if (!region.retreat(joints(node->state), tree.grasp, direction, joints(scratch))) break;
+      motion.grasps().set(scratch, tree.grasp);
+      if (motion.extend(node->state, scratch, tree.grasp, tree.side) != Motion::Reach::kReached) break;
+      node = tree.home->grow(node, motion.end());
+      ++added;
+    }
+  }
+  return added;
+}
+
+}  // namespace b4p
