@@ -23,13 +23,13 @@ void requireObjectClear(const Problem& problem) {
   constexpr double kRounding_m = 1e-6;
   const Scene& scene = problem.scene;
   CollisionProblem grown = problem.checker->problem();
-  grown.padding_m = std::max(scene.edge_step_m / 2.0, scene.contact_clearance_m - kRounding_m);
+  grown.padding_m = std::max(scene.edge_step_m / 2.0, scene.pickPlace().contact_clearance_m - kRounding_m);
   FloatingBody object(*FloatingBody::makeChecker(grown, FloatingBody::Parts::kObject));
-  const std::string collision = object.describeCollision(scene.X_WO_start, Grasp());
+  const std::string collision = object.describeCollision(scene.pickPlace().X_WO_start, Grasp());
   if (!collision.empty())
     throw InputError(scene.file, "object.start",
                      "is nearer to an obstacle (" + collision + ") than contact_clearance_m, " +
-                         std::to_string(scene.contact_clearance_m) + " m");
+                         std::to_string(scene.pickPlace().contact_clearance_m) + " m");
 }
 
 /// Tally of why grasps drawn are of no use.

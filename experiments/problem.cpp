@@ -22,7 +22,7 @@ std::shared_ptr<const CollisionChecker> makeChecker(const Scene& scene,
   CollisionProblem problem;
   problem.robot = std::move(robot);
   problem.obstacles = scene.obstacles;
-  problem.object = scene.object;
+  problem.object = scene.pickPlace().object;
   problem.edge_step_m = scene.edge_step_m;
   try {
     return makeFclChecker(std::move(problem));

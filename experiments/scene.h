@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "robots/grasp.h"
+#include "experiments/pick_place_task.h"
+#include "experiments/reach_task.h"
+#include "robots/input_error.h"
 #include "robots/manipulator.h"
 #include "state_validity/collision_checker.h"
 
@@ -18,62 +21,35 @@ struct RobotFile {
   ManipulatorDescription description;
 };
 
-enum class GraspFamily {
-  kPolygonEdges,  ///< planar robot: one grasp per polygon edge, at its midpoint, along the inward normal
-  kBox,           ///< parallel gripper on a box: pads on two opposite faces no farther apart than the opening
-  kStick,         ///< parallel gripper across a round stick, anywhere along it, from any side
-};
-
-/// How grasps are drawn.
-struct GraspSource {
-  GraspFamily family = GraspFamily::kBox;
-  std::vector<Eigen::Vector2d> polygon_m;  ///< kPolygonEdges: outline, counter-clockwise, in the object frame
-  Eigen::Vector3d box_size_m =
-      Eigen::Vector3d::Zero();   ///< kBox: sizes of the box that is grasped, centred in O
-  double stick_length_m = 0.0;   ///< kStick: along the z axis of O, its middle in O's origin
-  double stick_radius_m = 0.0;   ///< kStick
-  double margin_m = 0.0;         ///< kStick: how far the TCP stays from the stick's ends
-  double finger_depth_m = 0.0;   ///< kBox: how far the TCP reaches past the face it approaches through;
-                                 ///< kStick: past the side of the stick it approaches from
-  double pad_clearance_m = 0.0;  ///< gap left between the object and each pad (or the gripper's front)
-};
-
-/// Where the object's origin may come to rest, in the world.
-struct PlacementSource {
-  Eigen::Vector3d min_m, max_m;  ///< box of positions
-  bool upright = false;          ///< z of O is vertical at the end
-  double yaw_min_rad = -3.14159265358979323846;
-  double yaw_max_rad = 3.14159265358979323846;  ///< orientation: R_start_upright turned about the world z by
-                                                ///< a yaw in this window
-};
-
-/// A pick-and-place task as its file describes it (experiments/scenes/*.yaml).
+/// A task with all around it, as its file describes it (experiments/scenes/*.yaml).
 struct Scene {
   std::string file;
   std::string name;
   RobotFile robot;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::vector<Obstacle> obstacles;
-  std::string object_name;
-  std::vector<PlacedShape> object;  ///< in O
-  Eigen::Isometry3d X_WO_start = Eigen::Isometry3d::Identity();
-  GraspSource grasps;
-  PlacementSource placement;
   double edge_step_m = 0.01;
-  double contact_clearance_m = 0.0;  ///< the least distance of the held object from obstacles at the start
-                                     ///< pose; preflight() checks it
-  double budget_s = 10.0;            ///< the scene's usual time limit
+  double budget_s = 10.0;  ///< the scene's usual time limit
+  std::variant<PickPlaceTask, ReachTask> task;
+
+  /// The task of a scene that has to be one of pick and place. @throws InputError for another
+  const PickPlaceTask& pickPlace() const {
+    if (const auto* found = std::get_if<PickPlaceTask>(&task)) return *found;
+    throw InputError(file, "reach", "is a reaching task; a task of pick and place is needed here");
+  }
+  PickPlaceTask& pickPlace() { return const_cast<PickPlaceTask&>(std::as_const(*this).pickPlace()); }
 };
 
 /// Loads a scene by path, or by name from the scenes that ship with b4p.
-/// @throws InputError naming file, key and value: missing or malformed YAML, unknown or missing key, wrong
-///   schema version, wrong type or count, non-finite or out-of-range number, unknown robot.
+/// @throws InputError naming file, key or row, and value: missing or malformed YAML, unknown or missing key,
+///   wrong schema version, wrong type or count, non-finite or out-of-range number, unknown robot, a grasp
+///   that is no pose.
 Scene loadScene(const std::string& name_or_path);
 
 /// Loads a robot file by path, or by name from those that ship with b4p.
 RobotFile loadRobotFile(const std::string& name_or_path);
 
-/// Names of the scenes that ship with b4p.
+/// Names of the scenes that ship with b4p, those in a subfolder as FOLDER/NAME.
 std::vector<std::string> sceneNames();
 
 }  // namespace b4p

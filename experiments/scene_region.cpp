@@ -27,17 +27,20 @@ constexpr double kUprightTolerance_rad = 5e-4;
 }  // namespace
 
 SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker)
-    : SceneRegion(scene, checker,
-                  makeGraspSampler(scene.grasps, checker->problem().robot->description().max_opening_m)) {}
+    : SceneRegion(
+          scene, checker,
+          makeGraspSampler(scene.pickPlace().grasps, checker->problem().robot->description().max_opening_m)) {
+}
 
 SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker,
                          std::unique_ptr<const GraspSampler> grasps)
     : checker_(std::move(checker)),
       gripper_checker_(FloatingBody::makeChecker(checker_->problem(), FloatingBody::Parts::kGripper)),
       robot_(checker_->problem().robot),
-      X_WO_start_(scene.X_WO_start),
+      X_WO_start_(scene.pickPlace().X_WO_start),
       sampler_(std::move(grasps)),
-      placement_sampler_(scene.placement, scene.X_WO_start, kPlacementMargin_m, kUprightTolerance_rad) {
+      placement_sampler_(scene.pickPlace().placement, scene.pickPlace().X_WO_start, kPlacementMargin_m,
+                         kUprightTolerance_rad) {
   for (const Grasp& grasp : sampler_->all()) grasps_.add(grasp);
 }
 

@@ -85,7 +85,7 @@ Certificate Certifier::assembled() const {
       certificate.witness = path;
   }
   certificate.numbers = numbersOf(certificate.grasps);
-  if (!examiner_.finite()) certificate.bins = binsOf(certificate.grasps, scene_.object);
+  if (!examiner_.finite()) certificate.bins = binsOf(certificate.grasps, scene_.pickPlace().object);
   return certificate;
 }
 

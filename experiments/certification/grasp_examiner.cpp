@@ -35,7 +35,7 @@ std::string outcomeText(RootOutcome outcome, const std::string& collision) {
 }
 
 std::vector<Grasp> drawnGrasps(const Scene& scene, const Manipulator& robot, int count, std::uint64_t seed) {
-  const auto sampler = makeGraspSampler(scene.grasps, robot.description().max_opening_m);
+  const auto sampler = makeGraspSampler(scene.pickPlace().grasps, robot.description().max_opening_m);
   if (!sampler->all().empty()) return sampler->all();
   std::mt19937_64 random(derivedSeed(seed, kGraspStream));
   std::vector<Grasp> grasps;

@@ -19,8 +19,10 @@ std::string dataFolder() {
 }
 
 bool isPath(const std::string& name_or_path) {
-  const fs::path extension = fs::path(name_or_path).extension();
-  return name_or_path.find('/') != std::string::npos || extension == ".yaml" || extension == ".yml";
+  const fs::path path(name_or_path);
+  const std::string first = path.empty() ? "" : path.begin()->string();
+  return path.is_absolute() || first == "." || first == ".." || path.extension() == ".yaml" ||
+         path.extension() == ".yml";
 }
 
 std::string relativeTo(const std::string& file, const std::string& path) {
@@ -28,10 +30,12 @@ std::string relativeTo(const std::string& file, const std::string& path) {
 }
 
 std::vector<std::string> shippedNames(const std::string& folder) {
+  const fs::path root = fs::path(dataFolder()) / folder;
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(fs::path(dataFolder()) / folder, error))
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  for (const auto& entry : fs::recursive_directory_iterator(root, error))
+    if (entry.path().extension() == ".yaml")
+      names.push_back(entry.path().lexically_relative(root).replace_extension().generic_string());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -85,8 +85,8 @@ void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
       addBody("link '" + urdf_link.name + "'", link, false, placed);
   }
   const Eigen::Isometry3d X_TO = grasp.X_OT.inverse(Eigen::Isometry);
-  for (const PlacedShape& piece : scene.object)
-    addBody("object '" + scene.object_name + "'", robot_.tcpLink(), true,
+  for (const PlacedShape& piece : scene.pickPlace().object)
+    addBody("object '" + scene.pickPlace().object_name + "'", robot_.tcpLink(), true,
             {ConvexBody::of(piece.shape), X_TO * piece.X_BS});
   for (const Obstacle& obstacle : scene.obstacles)
     addBody("obstacle '" + obstacle.name + "'", kWorld, false,

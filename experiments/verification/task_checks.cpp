@@ -114,8 +114,8 @@ std::string edgeGraspProblem(const GraspSource& source, const PlanResult& result
 
 /// The start orientation, made upright by the shortest turn where the object has to stand.
 Eigen::Matrix3d unturnedOrientation(const Scene& scene) {
-  const Eigen::Matrix3d R = scene.X_WO_start.linear();
-  if (!scene.placement.upright) return R;
+  const Eigen::Matrix3d R = scene.pickPlace().X_WO_start.linear();
+  if (!scene.pickPlace().placement.upright) return R;
   return Eigen::Quaterniond::FromTwoVectors(R.col(2), Vector3d::UnitZ()).toRotationMatrix() * R;
 }
 
@@ -133,7 +133,7 @@ bool yawInWindow(double yaw_rad, const PlacementSource& placement) {
 }
 
 std::string placementProblem(const Scene& scene, const Isometry3d& X_WO) {
-  const PlacementSource& placement = scene.placement;
+  const PlacementSource& placement = scene.pickPlace().placement;
   const Vector3d p = X_WO.translation();
   for (int axis = 0; axis < 3; ++axis)
     if (!(p[axis] >= placement.min_m[axis] - kPositionTolerance_m &&
@@ -204,13 +204,13 @@ std::string graspProblem(const Scene& scene, const PlanResult& result, const Kin
     if (value < finger.lower - kLimitTolerance || value > finger.upper + kLimitTolerance)
       return "grasp: joint '" + name + "' at " + text(value) + " is outside its limits";
   }
-  switch (scene.grasps.family) {
+  switch (scene.pickPlace().grasps.family) {
     case GraspFamily::kBox:
-      return boxGraspProblem(scene.grasps, grasp);
+      return boxGraspProblem(scene.pickPlace().grasps, grasp);
     case GraspFamily::kStick:
-      return stickGraspProblem(scene.grasps, grasp);
+      return stickGraspProblem(scene.pickPlace().grasps, grasp);
     case GraspFamily::kPolygonEdges:
-      return edgeGraspProblem(scene.grasps, result);
+      return edgeGraspProblem(scene.pickPlace().grasps, result);
   }
   return "grasp: of no known family";
 }
@@ -219,7 +219,7 @@ std::string endsProblem(const Scene& scene, const PlanResult& result, const Isom
                         const Isometry3d& X_WO_last) {
   const std::string first = "way-point 0: ";
   const std::string last = "way-point " + std::to_string(result.path.size() - 1) + ": ";
-  if (const std::string off = poseDifference(X_WO_first, scene.X_WO_start); !off.empty())
+  if (const std::string off = poseDifference(X_WO_first, scene.pickPlace().X_WO_start); !off.empty())
     return first + "the object is " + off + " away from where it is picked up";
   if (const std::string problem = placementProblem(scene, X_WO_last); !problem.empty())
     return last + "the object " + problem;

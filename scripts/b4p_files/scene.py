@@ -29,9 +29,15 @@ class Scene:
     region_max_m: np.ndarray
 
 
+def is_path(name_or_path: str) -> bool:
+    """A path has a YAML extension or begins with `/`, `.` or `..`; all else is a name."""
+    first = name_or_path.partition("/")[0]
+    return first in ("", ".", "..") or name_or_path.endswith((".yaml", ".yml"))
+
+
 def find_scene(name_or_path: str, folder: Path) -> Path:
     """The file of a scene: a path (as given, or relative to `folder`), or the name of one that ships with b4p."""
-    if "/" not in name_or_path and not name_or_path.endswith((".yaml", ".yml")):
+    if not is_path(name_or_path):
         return ROOT / "experiments" / "scenes" / f"{name_or_path}.yaml"
     path = Path(name_or_path)
     return path if path.is_file() else folder / path

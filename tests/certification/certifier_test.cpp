@@ -87,7 +87,7 @@ TEST(Certifier, CountsGraspsOfAContinuumAndSortsThemIntoBins) {
   const Certificate certificate = Certifier(scene, few).run(2);
   EXPECT_EQ(inconsistency(certificate), "");
   EXPECT_EQ(certificate.numbers.sampled, 12);
-  EXPECT_EQ(certificate.bins, binsOf(certificate.grasps, scene.object));
+  EXPECT_EQ(certificate.bins, binsOf(certificate.grasps, scene.pickPlace().object));
   EXPECT_FALSE(certificate.bins.empty());
   EXPECT_TRUE(certificate.settings.grids.empty()) << "an arm has no flood fill";
   few.seed = 2;

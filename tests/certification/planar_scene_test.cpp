@@ -127,7 +127,7 @@ TEST(PlanarScene, BaseThatIsTurnedAndMovedChangesNothing) {
   Scene scene = loadScene(copy.scene());
   const Eigen::Isometry3d X(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
   scene.X_WB = X;
-  scene.X_WO_start = X * scene.X_WO_start;
+  scene.pickPlace().X_WO_start = X * scene.pickPlace().X_WO_start;
   for (Obstacle& obstacle : scene.obstacles) obstacle.shape.X_BS = X * obstacle.shape.X_BS;
   const Problem problem = makeProblem(scene);
   const planar::PlanarTask task = planar::planarTask(scene, *problem.robot, problem.region->grasp(1));

@@ -34,10 +34,10 @@ TEST_P(ShippedCertificate, SpeaksAboutTheSceneAsItIs) {
   EXPECT_EQ(certificate_.digest, sceneDigest(scene_))
       << "out of date: run b4p certify " << GetParam() << " again";
   EXPECT_EQ(inconsistency(certificate_), "");
-  if (scene_.grasps.family == GraspFamily::kPolygonEdges)
+  if (scene_.pickPlace().grasps.family == GraspFamily::kPolygonEdges)
     EXPECT_TRUE(certificate_.bins.empty());
   else
-    EXPECT_EQ(certificate_.bins, binsOf(certificate_.grasps, scene_.object));
+    EXPECT_EQ(certificate_.bins, binsOf(certificate_.grasps, scene_.pickPlace().object));
   EXPECT_LT(std::filesystem::file_size(certificateFile(scene_)), 300000u);
 }
 

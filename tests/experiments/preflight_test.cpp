@@ -23,7 +23,7 @@ TEST(Preflight, LetsSoundScenesPass) {
 TEST(Preflight, SaysWhyNoGraspIsValid) {
   Scene scene = loadScene("grocery");
   // The can moves far away from the robot.
-  scene.X_WO_start.translation().x() = 5.0;
+  scene.pickPlace().X_WO_start.translation().x() = 5.0;
   try {
     preflight(scene);
     FAIL() << "accepted";
@@ -34,7 +34,7 @@ TEST(Preflight, SaysWhyNoGraspIsValid) {
 
 TEST(Preflight, SaysWhatTheObjectTouches) {
   Scene scene = loadScene("grocery");
-  scene.X_WO_start.translation().z() -= 0.002;  // closer to the post than the margin
+  scene.pickPlace().X_WO_start.translation().z() -= 0.002;  // closer to the post than the margin
   try {
     preflight(scene);
     FAIL() << "accepted";

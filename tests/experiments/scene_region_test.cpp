@@ -53,8 +53,9 @@ TEST(SceneRegion, PicksHoldTheObjectAtItsStartPoseAndAreFree) {
     for (int i = 0; i < 5; ++i) {
       const Grasp& grasp = problem.region->grasp(pick(*context, q));
       const Eigen::Isometry3d X_WO = problem.region->objectPose(q.data(), grasp);
-      EXPECT_LT((X_WO.translation() - problem.scene.X_WO_start.translation()).norm(), kPositionTolerance_m);
-      EXPECT_TRUE(X_WO.linear().isApprox(problem.scene.X_WO_start.linear(), 1e-3));
+      EXPECT_LT((X_WO.translation() - problem.scene.pickPlace().X_WO_start.translation()).norm(),
+                kPositionTolerance_m);
+      EXPECT_TRUE(X_WO.linear().isApprox(problem.scene.pickPlace().X_WO_start.linear(), 1e-3));
       EXPECT_TRUE(collisions->isFree(q.data(), &grasp));
     }
   }

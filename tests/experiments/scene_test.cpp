@@ -38,10 +38,10 @@ TEST(Scene, ReadsAllOfTheFile) {
   EXPECT_EQ(scene.obstacles[0].name, "wall");
   EXPECT_TRUE(scene.obstacles[0].shape.X_BS.translation().isApprox(Eigen::Vector3d(1.0, -0.6, 0.0)));
   EXPECT_TRUE(std::get<Box>(scene.obstacles[0].shape.shape).size.isApprox(Eigen::Vector3d(0.1, 1.2, 0.1)));
-  EXPECT_TRUE(scene.X_WO_start.linear().col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
-  EXPECT_EQ(scene.grasps.family, GraspFamily::kPolygonEdges);
-  EXPECT_EQ(scene.grasps.polygon_m.size(), 4u);
-  EXPECT_EQ(scene.placement.max_m.x(), 1.8);
+  EXPECT_TRUE(scene.pickPlace().X_WO_start.linear().col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+  EXPECT_EQ(scene.pickPlace().grasps.family, GraspFamily::kPolygonEdges);
+  EXPECT_EQ(scene.pickPlace().grasps.polygon_m.size(), 4u);
+  EXPECT_EQ(scene.pickPlace().placement.max_m.x(), 1.8);
   EXPECT_EQ(scene.edge_step_m, 0.02);
 }
 
@@ -87,7 +87,7 @@ TEST(Scene, ReadsGraspsOfAStickAndRefusesThoseThatCannotBe) {
   EXPECT_THAT(refusal({{edges, stick("length_m: 0.6", "length_m: 0")}}), HasSubstr("stick.length_m"));
   EXPECT_THAT(refusal({{edges, stick("length_m", "long_m")}}), HasSubstr("long_m"));
   EXPECT_THAT(refusal({{edges, edges + "\n  " + stick("stick", "stick")}}), HasSubstr("exactly one"));
-  const GraspSource grasps = loadScene("stick").grasps;
+  const GraspSource grasps = loadScene("stick").pickPlace().grasps;
   EXPECT_EQ(grasps.family, GraspFamily::kStick);
   EXPECT_EQ(grasps.stick_length_m, 0.6);
   EXPECT_EQ(grasps.stick_radius_m, 0.0125);

@@ -114,7 +114,7 @@ TEST_F(CollisionSweepTest, SeesAPlateOfOneStepAcrossTheWay) {
 
 TEST_F(CollisionSweepTest, NothingToTouchMeansNoClearance) {
   scene_.obstacles.clear();
-  scene_.object.clear();
+  scene_.pickPlace().object.clear();
   scene_.robot.description.skip_self_collision = {
       {"base", "hand"}, {"base", "left"}, {"base", "right"}, {"left", "right"}};
   CollisionSweep sweep(scene_, robot_, {}, kStep_m);
@@ -196,8 +196,8 @@ TEST_F(LinkPairsTest, WhatNoPathMovesMayStandInAnObstacle) {
 }
 
 TEST_F(LinkPairsTest, TheHeldObjectIsComparedWithAllLinksButFingers) {
-  scene_.object = {{Sphere{0.01}, Eigen::Isometry3d::Identity()}};
-  scene_.object_name = "bead";
+  scene_.pickPlace().object = {{Sphere{0.01}, Eigen::Isometry3d::Identity()}};
+  scene_.pickPlace().object_name = "bead";
   EXPECT_EQ(contact(), "link 'd', object 'bead'");
   scene_.robot.description.finger_links = {"d"};
   EXPECT_EQ(contact(), "");

@@ -109,20 +109,20 @@ inline Scene gantryScene() {
   scene.robot.description.max_opening_m = 0.08;
   scene.obstacles = {boxObstacle("table", {1.9, 2, 0.1}, {0.05, 0, -0.05}),
                      boxObstacle("wall", {0.002, 1, 0.3}, {0.15, 0, 0.15})};
-  scene.object_name = "can";
-  scene.object = {{Box{{0.1, 0.06, 0.08}}, Eigen::Isometry3d::Identity()}};
-  scene.X_WO_start.translation() << 0.5, 0.0, 0.045;
-  scene.grasps.family = GraspFamily::kBox;
-  scene.grasps.box_size_m << 0.1, 0.06, 0.08;
-  scene.grasps.finger_depth_m = 0.05;
-  scene.grasps.pad_clearance_m = 0.002;
-  scene.placement.min_m << -0.5, 0.3, 0.04;
-  scene.placement.max_m << 0.1, 0.9, 0.05;
-  scene.placement.upright = true;
-  scene.placement.yaw_min_rad = -0.5;
-  scene.placement.yaw_max_rad = 0.5;
+  scene.pickPlace().object_name = "can";
+  scene.pickPlace().object = {{Box{{0.1, 0.06, 0.08}}, Eigen::Isometry3d::Identity()}};
+  scene.pickPlace().X_WO_start.translation() << 0.5, 0.0, 0.045;
+  scene.pickPlace().grasps.family = GraspFamily::kBox;
+  scene.pickPlace().grasps.box_size_m << 0.1, 0.06, 0.08;
+  scene.pickPlace().grasps.finger_depth_m = 0.05;
+  scene.pickPlace().grasps.pad_clearance_m = 0.002;
+  scene.pickPlace().placement.min_m << -0.5, 0.3, 0.04;
+  scene.pickPlace().placement.max_m << 0.1, 0.9, 0.05;
+  scene.pickPlace().placement.upright = true;
+  scene.pickPlace().placement.yaw_min_rad = -0.5;
+  scene.pickPlace().placement.yaw_max_rad = 0.5;
   scene.edge_step_m = 0.01;
-  scene.contact_clearance_m = 0.005;
+  scene.pickPlace().contact_clearance_m = 0.005;
   return scene;
 }
 

@@ -129,7 +129,7 @@ TEST_F(VerifierTest, HeldObjectClipsAnObstacleThatTheRobotClears) {
   auto& peg = scene_.obstacles.back().shape;
   peg.X_BS.translation().z() = can_bottom_m - 0.001 - (can_bottom_m - 0.001) / 2;
   result_.path.pop_back();  // stays in the air
-  scene_.placement.max_m.z() = 1.0;
+  scene_.pickPlace().placement.max_m.z() = 1.0;
   result_.X_WO_place.translation().z() = can_bottom_m + 0.04;
   expectPasses();
   peg.X_BS.translation().z() += 0.0015;
@@ -140,12 +140,12 @@ TEST_F(VerifierTest, HeldObjectAgainstALink) {
   // Over the pillar: its top is 0.42 m high, the can's bottom at 0.40 m, the finger tips at 0.44 m.
   result_.path.insert(result_.path.begin() + 2, {-1.0, 0.0, 0.5, 0.0, 0.0});
   expectFails(AllOf(HasSubstr("edge 1 at 0."), HasSubstr("link 'base' touches object 'can'")));
-  scene_.object[0].shape = Box{{0.1, 0.06, 0.02}};
+  scene_.pickPlace().object[0].shape = Box{{0.1, 0.06, 0.02}};
   expectPasses();
 }
 
 TEST_F(VerifierTest, LinkAgainstLinkUnlessTheRobotFileSkipsThePair) {
-  scene_.object.clear();
+  scene_.pickPlace().object.clear();
   result_.path.insert(result_.path.begin() + 2, {-1.0, 0.0, 0.4, 0.0, 0.0});
   expectFails(AllOf(HasSubstr("edge 1 at 0."), HasSubstr("link 'base' touches link 'hand'")));
   scene_.robot.description.skip_self_collision = {{"hand", "base"}, {"base", "left"}, {"right", "base"}};
@@ -155,13 +155,13 @@ TEST_F(VerifierTest, LinkAgainstLinkUnlessTheRobotFileSkipsThePair) {
 }
 
 TEST_F(VerifierTest, FingersMayTouchTheObjectAndThePalmMayNot) {
-  scene_.object[0].shape = Box{{0.1, 0.07, 0.08}};
+  scene_.pickPlace().object[0].shape = Box{{0.1, 0.07, 0.08}};
   expectPasses();
-  scene_.object[0].shape = Box{{0.1, 0.06, 0.13}};
-  scene_.X_WO_start.translation().z() += 0.1;
+  scene_.pickPlace().object[0].shape = Box{{0.1, 0.06, 0.13}};
+  scene_.pickPlace().X_WO_start.translation().z() += 0.1;
   result_.X_WO_pick.translation().z() += 0.1;
   result_.X_WO_place.translation().z() += 0.1;
-  scene_.placement.max_m.z() += 0.1;
+  scene_.pickPlace().placement.max_m.z() += 0.1;
   shiftAll(2, 0.1);
   expectFails("way-point 0: link 'hand' touches object 'can'");
 }
@@ -189,7 +189,7 @@ TEST_F(VerifierTest, NotUpright) {
 }
 
 TEST_F(VerifierTest, TiltIsAllowedWhereUprightIsNotAsked) {
-  scene_.placement.upright = false;
+  scene_.pickPlace().placement.upright = false;
   result_.path[3][4] = 0.01;
   result_.X_WO_place.rotate(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX()));
   expectPasses();
@@ -198,19 +198,19 @@ TEST_F(VerifierTest, TiltIsAllowedWhereUprightIsNotAsked) {
 TEST_F(VerifierTest, YawOutOfItsWindow) {
   result_.path[3][3] = 0.6;
   expectFails(HasSubstr("turned out of the window of yaw: 0.6 rad"));
-  scene_.placement.yaw_min_rad = 0.4;
-  scene_.placement.yaw_max_rad = 0.7;
+  scene_.pickPlace().placement.yaw_min_rad = 0.4;
+  scene_.pickPlace().placement.yaw_max_rad = 0.7;
   result_.X_WO_place.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
   expectPasses();
 }
 
 // 0.3 rad is inside a window that reaches round the back, 0 is not.
 TEST_F(VerifierTest, YawWindowMayWrapAround) {
-  scene_.placement.yaw_min_rad = 0.2;
-  scene_.placement.yaw_max_rad = 0.2 + 6.0;
+  scene_.pickPlace().placement.yaw_min_rad = 0.2;
+  scene_.pickPlace().placement.yaw_max_rad = 0.2 + 6.0;
   expectPasses();
-  scene_.placement.yaw_min_rad = 0.4;
-  scene_.placement.yaw_max_rad = 6.2;
+  scene_.pickPlace().placement.yaw_min_rad = 0.4;
+  scene_.pickPlace().placement.yaw_max_rad = 6.2;
   expectFails(HasSubstr("window of yaw"));
 }
 
@@ -276,8 +276,8 @@ TEST_F(VerifierTest, OpeningChanged) {
 
 TEST_F(VerifierTest, OneWayPointIsAPathWhenPickAndPlaceCoincide) {
   result_.path.resize(1);
-  scene_.placement.min_m << 0.4, -0.1, 0.04;
-  scene_.placement.max_m << 0.6, 0.1, 0.05;
+  scene_.pickPlace().placement.min_m << 0.4, -0.1, 0.04;
+  scene_.pickPlace().placement.max_m << 0.6, 0.1, 0.05;
   result_.X_WO_place = result_.X_WO_pick;
   expectPasses();
   scene_.obstacles.push_back(test::boxObstacle("stone", {0.01, 0.01, 0.01}, {0.5, 0.0, 0.045}));
@@ -307,16 +307,16 @@ class StickGraspTest : public VerifierTest {
   StickGraspTest() {
     // The z axis of the stick lies along x of the can it stands for.
     const Eigen::Matrix3d lying = Eigen::AngleAxisd(kHalfPi, Eigen::Vector3d::UnitY()).toRotationMatrix();
-    scene_.object = {{Cylinder{0.03, 0.4}, Eigen::Isometry3d::Identity()}};
-    scene_.grasps = {};
-    scene_.grasps.family = GraspFamily::kStick;
-    scene_.grasps.stick_length_m = 0.4;
-    scene_.grasps.stick_radius_m = 0.03;
-    scene_.grasps.margin_m = 0.05;
-    scene_.grasps.finger_depth_m = 0.03;
-    scene_.grasps.pad_clearance_m = 0.002;
-    scene_.placement.upright = false;
-    scene_.X_WO_start.linear() = lying;
+    scene_.pickPlace().object = {{Cylinder{0.03, 0.4}, Eigen::Isometry3d::Identity()}};
+    scene_.pickPlace().grasps = {};
+    scene_.pickPlace().grasps.family = GraspFamily::kStick;
+    scene_.pickPlace().grasps.stick_length_m = 0.4;
+    scene_.pickPlace().grasps.stick_radius_m = 0.03;
+    scene_.pickPlace().grasps.margin_m = 0.05;
+    scene_.pickPlace().grasps.finger_depth_m = 0.03;
+    scene_.pickPlace().grasps.pad_clearance_m = 0.002;
+    scene_.pickPlace().placement.upright = false;
+    scene_.pickPlace().X_WO_start.linear() = lying;
     result_.grasp.X_OT = Eigen::Isometry3d(lying.transpose()) * result_.grasp.X_OT;
     result_.X_WO_pick.linear() = lying;
     result_.X_WO_place.linear() = result_.X_WO_place.linear() * lying;
@@ -380,15 +380,17 @@ class EdgeGraspTest : public VerifierTest {
     scene_.robot.description.joints = {"x", "y", "turn"};
     scene_.robot.description.tcp_link = "tip";
     scene_.obstacles = {test::boxObstacle("wall", {1, 0.01, 1}, {0, 2, 0})};
-    scene_.grasps.family = GraspFamily::kPolygonEdges;
-    scene_.grasps.polygon_m = {{0, 0}, {0.4, 0}, {0, 0.4}};
-    scene_.grasps.pad_clearance_m = 0.01;
-    scene_.object = {{Box{{0.1, 0.1, 0.02}}, Eigen::Isometry3d(Eigen::Translation3d(0.1, 0.1, 0))}};
-    scene_.X_WO_start = Eigen::Translation3d(0.06 + 0.01, -0.2, 0) * Eigen::Quaterniond::Identity();
-    scene_.placement.min_m << 0, -1, -0.001;
-    scene_.placement.max_m << 2, 1, 0.001;
-    scene_.placement.yaw_min_rad = -3.2;
-    scene_.placement.yaw_max_rad = 3.2;
+    scene_.pickPlace().grasps.family = GraspFamily::kPolygonEdges;
+    scene_.pickPlace().grasps.polygon_m = {{0, 0}, {0.4, 0}, {0, 0.4}};
+    scene_.pickPlace().grasps.pad_clearance_m = 0.01;
+    scene_.pickPlace().object = {
+        {Box{{0.1, 0.1, 0.02}}, Eigen::Isometry3d(Eigen::Translation3d(0.1, 0.1, 0))}};
+    scene_.pickPlace().X_WO_start =
+        Eigen::Translation3d(0.06 + 0.01, -0.2, 0) * Eigen::Quaterniond::Identity();
+    scene_.pickPlace().placement.min_m << 0, -1, -0.001;
+    scene_.pickPlace().placement.max_m << 2, 1, 0.001;
+    scene_.pickPlace().placement.yaw_min_rad = -3.2;
+    scene_.pickPlace().placement.yaw_max_rad = 3.2;
     // Edge 2 runs down the y axis from (0, 0.4) to (0, 0); inwards is +x.
     result_.grasp_id = 2;
     result_.grasp.opening_m = 0.0;
@@ -396,7 +398,7 @@ class EdgeGraspTest : public VerifierTest {
     result_.grasp.X_OT.linear() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
     result_.joint_names = {"x", "y", "turn"};
     result_.path = {{0, 0, 0}, {1, 0.5, 0.0}};
-    result_.X_WO_pick = scene_.X_WO_start;
+    result_.X_WO_pick = scene_.pickPlace().X_WO_start;
     result_.X_WO_place = Eigen::Translation3d(1, 0.5, 0) * result_.X_WO_pick;
   }
 };
@@ -418,7 +420,7 @@ TEST_F(EdgeGraspTest, ShiftedAlongTheEdge) {
 }
 
 TEST_F(EdgeGraspTest, ObjectAgainstTheRobotThatHoldsIt) {
-  scene_.object.push_back({Sphere{0.01}, Eigen::Isometry3d(Eigen::Translation3d(-0.03, 0.2, 0))});
+  scene_.pickPlace().object.push_back({Sphere{0.01}, Eigen::Isometry3d(Eigen::Translation3d(-0.03, 0.2, 0))});
   expectFails("way-point 0: link 'disc' touches object 'can'");
 }
 

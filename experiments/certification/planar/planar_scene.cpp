@@ -77,7 +77,7 @@ std::vector<Points> bodyParts(const Scene& scene, const Manipulator& robot, cons
       for (const PlacedShape& shape : robot.model().links[link].shapes)
         parts.push_back(placed(shape, X_CW * X_WL[link]));
   const Eigen::Isometry3d X_CO = X_CW * at(X_WL, robot.tcpLink()) * grasp.X_OT.inverse();
-  for (const PlacedShape& shape : scene.object) parts.push_back(placed(shape, X_CO));
+  for (const PlacedShape& shape : scene.pickPlace().object) parts.push_back(placed(shape, X_CO));
   return parts;
 }
 
@@ -140,10 +140,10 @@ Pose startPose(const Eigen::Isometry3d& X_WC) {
 
 /// The window of yaw is about the start orientation, which a start that is not upright does not keep.
 void setGoal(const Scene& scene, PlanarTask& task) {
-  const PlacementSource& placement = scene.placement;
+  const PlacementSource& placement = scene.pickPlace().placement;
   task.goal_min_m = placement.min_m.head<2>();
   task.goal_max_m = placement.max_m.head<2>();
-  const Eigen::Vector3d up = scene.X_WO_start.linear().col(2);
+  const Eigen::Vector3d up = scene.pickPlace().X_WO_start.linear().col(2);
   if (placement.upright && (std::hypot(up.x(), up.y()) > kLevel || up.z() < 0.0)) return;
   task.goal_angle_rad = task.start.angle_rad + (placement.yaw_min_rad + placement.yaw_max_rad) / 2.0;
   task.goal_half_angle_rad = (placement.yaw_max_rad - placement.yaw_min_rad) / 2.0;
@@ -177,7 +177,7 @@ PlanarTask planarTask(const Scene& scene, const Manipulator& robot, const Grasp&
   PlanarTask task;
   task.slices = slices(bodyParts(scene, robot, grasp), fixed);
   setLimits(robot, X_WC_zero, task);
-  task.start = startPose(scene.X_WO_start * grasp.X_OT * X_CT.inverse());
+  task.start = startPose(scene.pickPlace().X_WO_start * grasp.X_OT * X_CT.inverse());
   task.point_m = (X_CT * grasp.X_OT.inverse()).translation().head<2>();
   setGoal(scene, task);
   task.tolerance_m = kTolerance_m;
