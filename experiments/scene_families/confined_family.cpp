@@ -12,6 +12,8 @@ namespace b4p {
 namespace {
 
 constexpr const char* kRobot = "mobile_panda";
+/// Half of edge_step_m, by which planning grows the hand, and what rounding the scene file takes.
+constexpr double kHandClearance_m = 0.0052;
 
 int groupOf(const FamilyValues& values) { return static_cast<int>(values.at("group")); }
 
@@ -36,6 +38,7 @@ std::string confinedGrasps(const FamilyValues& values, std::uint64_t seed) {
   const int group = groupOf(values);
   AntipodalRules rules;
   rules.friction_cone_rad = values.at("friction_cone_rad");
+  rules.hand_clearance_m = kHandClearance_m;
   const ConfinedScenario scenario = confinedScenario(group, values.at("step"));
   const Eigen::Isometry3d X_WO(Eigen::Translation3d(scenario.target.front().X_BS.translation()));
   std::vector<PlacedShape> object = scenario.target;
