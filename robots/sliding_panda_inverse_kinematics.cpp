@@ -16,6 +16,9 @@ namespace {
 constexpr double kShareOfTolerance = 0.1;
 /// No posture brings frame 7 farther from the shoulder.
 constexpr double kReach_m = 0.808;
+/// A base that is moved to where the arm reaches comes no nearer than this share of the way: in confined
+/// places it is the outstretched arm that fits.
+constexpr double kNearestShare = 0.9;
 
 /// A Panda and what carries it.
 struct SlidingPanda {
@@ -94,7 +97,10 @@ class SlidingPandaInverseKinematics : public InverseKinematics {
     Eigen::Vector2d aside;
     for (int i = 0; i < 2; ++i) aside[i] = seed[panda_.base_index[static_cast<std::size_t>(i)]] - under[i];
     const double distance = aside.norm(), room = std::sqrt(squared_room);
-    if (distance > room) aside *= std::fmod(distance, room) / distance;
+    if (distance > room) {
+      const double share = std::fmod(distance, room) / room;
+      aside *= room * (kNearestShare + (1.0 - kNearestShare) * share) / distance;
+    }
     for (int i = 0; i < 2; ++i) {
       const int j = panda_.base_index[static_cast<std::size_t>(i)];
       q[j] = limits().bringInside(j, under[i] + aside[i]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/samplers/antipodal_grasps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -24,6 +25,27 @@ Eigen::Vector3d drawInCone(const Eigen::Vector3d& axis, double angle, std::mt199
   const double sine = std::sqrt(1.0 - cosine * cosine), turn = 2.0 * kPi * unitDraw(random);
   const auto [x, y] = across(axis);
   return cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y);
+}
+
+std::shared_ptr<const CollisionChecker> handChecker(const std::shared_ptr<const Manipulator>& robot,
+                                                    const std::vector<PlacedShape>& obstacles,
+                                                    double clearance_m) {
+  CollisionProblem problem;
+  problem.robot = robot;
+  problem.padding_m = clearance_m;
+  for (const PlacedShape& shape : obstacles) problem.obstacles.push_back({"obstacle", shape});
+  return FloatingBody::makeChecker(problem, FloatingBody::Parts::kGripper);
+}
+
+/// The robot with nothing to collide but its fingers.
+std::shared_ptr<const Manipulator> fingersOnly(const Manipulator& robot) {
+  RobotModel model = robot.model();
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const std::vector<int>& fingers = robot.fingerLinks();
+    if (std::find(fingers.begin(), fingers.end(), static_cast<int>(i)) == fingers.end())
+      model.links[i].shapes.clear();
+  }
+  return std::make_shared<const Manipulator>(model, robot.description(), robot.X_WB(), "fingers");
 }
 
 }  // namespace
@@ -76,23 +98,22 @@ std::optional<Grasp> AntipodalSampler::draw(std::mt19937_64& random) const {
 }
 
 std::vector<Grasp> antipodalGrasps(const std::shared_ptr<const Manipulator>& robot,
-                                   const std::vector<PlacedShape>& object, const AntipodalRules& rules,
+                                   const std::vector<PlacedShape>& object,
+                                   const std::vector<PlacedShape>& support, const AntipodalRules& rules,
                                    std::size_t count, std::uint64_t seed) {
-  constexpr int kMostDraws = 100000;
+  constexpr int kMostDraws = 1000000;
   const double max_opening_m = robot->description().max_opening_m;
   const AntipodalSampler sampler(object, max_opening_m, rules);
-  CollisionProblem problem;
-  problem.robot = robot;
-  problem.padding_m = rules.hand_clearance_m;
-  for (const PlacedShape& shape : object) problem.obstacles.push_back({"object", shape});
-  FloatingBody hand(*FloatingBody::makeChecker(problem, FloatingBody::Parts::kGripper));
+  FloatingBody hand(*handChecker(robot, object, rules.hand_clearance_m));
+  FloatingBody fingers(*handChecker(fingersOnly(*robot), support, 0.0));
   Grasp open;
   open.opening_m = max_opening_m;
   std::mt19937_64 random(seed);
   std::vector<Grasp> grasps;
   for (int draw = 0; draw < kMostDraws && grasps.size() < count; ++draw) {
     const std::optional<Grasp> grasp = sampler.draw(random);
-    if (grasp && hand.isFree(grasp->X_OT, open)) grasps.push_back(*grasp);
+    if (grasp && fingers.isFree(grasp->X_OT, open) && hand.isFree(grasp->X_OT, open))
+      grasps.push_back(*grasp);
   }
   if (grasps.size() < count)
     throw std::invalid_argument("only " + std::to_string(grasps.size()) + " of " + std::to_string(count) +

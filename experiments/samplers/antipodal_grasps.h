@@ -49,10 +49,13 @@ class AntipodalSampler {
 };
 
 /// Antipodal grasps at which the robot's open hand (the last moving link and all that hangs on it) stays
-/// clear of the object. Same seed, same grasps.
-/// @throws std::invalid_argument as AntipodalSampler does, and when 100 000 draws give fewer
+/// clear of the object, and its fingers do not reach into what the object stands on. Whether the rest of the
+/// hand fits there is left open. Same seed, same grasps.
+/// @param support  in O; may be empty
+/// @throws std::invalid_argument as AntipodalSampler does, and when a million draws give fewer
 std::vector<Grasp> antipodalGrasps(const std::shared_ptr<const Manipulator>& robot,
-                                   const std::vector<PlacedShape>& object, const AntipodalRules& rules,
+                                   const std::vector<PlacedShape>& object,
+                                   const std::vector<PlacedShape>& support, const AntipodalRules& rules,
                                    std::size_t count, std::uint64_t seed);
 
 }  // namespace b4p

@@ -3,6 +3,7 @@
 
 #include "experiments/problem.h"
 #include "experiments/samplers/antipodal_grasps.h"
+#include "experiments/scene_families/confined_furniture.h"
 #include "experiments/scene_families/confined_scenario.h"
 #include "experiments/scene_families/families.h"
 #include "experiments/scene_families/grasp_text.h"
@@ -29,8 +30,8 @@ std::string confinedBody(const FamilyValues& values, std::uint64_t) {
          "1.541193530, 0.753448659]\n";
 }
 
-// Grasps depend on the object's place, not on the step, which only moves it or narrows the way to it: within
-// a group they are the same, seen from the object.
+// Seen from the object, the grasps of a group are the same for all steps, which only move the object or
+// narrow the way to it.
 std::string confinedGrasps(const FamilyValues& values, std::uint64_t seed) {
   const RobotFile file = loadRobotFile(kRobot);
   const auto robot = std::make_shared<const Manipulator>(loadUrdf(file.urdf_file), file.description,
@@ -44,8 +45,11 @@ std::string confinedGrasps(const FamilyValues& values, std::uint64_t seed) {
   std::vector<PlacedShape> object = scenario.target;
   for (PlacedShape& piece : object) piece.X_BS = X_WO.inverse() * piece.X_BS;
   std::vector<Eigen::Isometry3d> X_BT;
+  const PlacedShape plane =
+      boxObstacle("", {-1, -1, scenario.support_height_m - 0.1}, {3, 3, scenario.support_height_m}).shape;
+  const PlacedShape support{plane.shape, X_WO.inverse() * plane.X_BS};
   for (const Grasp& grasp :
-       antipodalGrasps(robot, object, rules, static_cast<std::size_t>(values.at("grasps")),
+       antipodalGrasps(robot, object, {support}, rules, static_cast<std::size_t>(values.at("grasps")),
                        derivedSeed(seed, static_cast<std::uint64_t>(group))))
     X_BT.push_back(confinedRobotBase().inverse() * X_WO * grasp.X_OT);
   return graspText(X_BT);
@@ -57,11 +61,9 @@ SceneFamily confinedFamily() {
   SceneFamily family;
   family.name = "confined";
   family.description =
-      "A Panda on a sliding platform reaches for one of many grasps of an object in a confined place: inside "
-      "a "
-      "shelf, under a table, behind a gap or a gate. After the Jogramop framework (Rudorfer, Hartvich, "
-      "Vonasek, "
-      "RoMoCo 2024), from its dimensions.";
+      "A Panda on a sliding platform reaches for one of many grasps of an object in a confined place: on a "
+      "table inside a shelf, under a table, behind a gap or a gate. After the Jogramop framework (Rudorfer, "
+      "Hartvich, Vonasek, RoMoCo 2024), from its dimensions.";
   family.settings = std::string("robot: ") + kRobot +
                     "\nrobot_base: {position_m: [1, 0, 0.05], rpy_rad: [0, 0, 1.5707963267948966]}\n"
                     "edge_step_m: 0.01\nbudget_s: 10\n";
@@ -71,8 +73,8 @@ SceneFamily confinedFamily() {
       {"step", "1: near or wide, 5: far inside or narrow; 0.1 m farther or 0.08 m narrower each", 1.0, 5.0,
        1.0, 3.0, 5.0, 0.001},
       {"grasps", "how many (count)", 1.0, 1000.0, 200.0, 200.0, 200.0, 1.0},
-      {"friction_cone_rad", "most between closing axis and surface normal", 0.01, 0.6, 0.261799, 0.261799,
-       0.261799, 0.000001}};
+      {"friction_cone_rad", "most between closing axis and surface normal", 0.01, 0.6, 0.2618, 0.2618, 0.2618,
+       0.0001}};
   family.body = confinedBody;
   family.grasps = confinedGrasps;
   return family;

@@ -74,6 +74,7 @@ ConfinedScenario confinedScenario(int group, double step) {
     case 1:
       place(obstacles, tableBoxes(), 0.0, kTableFront_m);
       place(obstacles, openShelfBoxes(), 0.77, kTableFront_m, kTableTop_m);
+      scenario.support_height_m = kTableTop_m;
       scenario.target = screwdriver({kMiddle_m, kTableFront_m + 0.15 + kFarther_m * past});
       break;
     case 2:
@@ -89,6 +90,7 @@ ConfinedScenario confinedScenario(int group, double step) {
     default:
       place(obstacles, gateBoxes(0.86 - kNarrower_m * past), 0.0, 0.4);
       place(obstacles, pedestalBoxes(), 0.8, 1.1);
+      scenario.support_height_m = 0.5;
       scenario.target = banana({1.0015, 1.223, 0.522});
       break;
   }

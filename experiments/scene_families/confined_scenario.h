@@ -14,6 +14,7 @@ namespace b4p {
 struct ConfinedScenario {
   std::vector<Obstacle> obstacles;  ///< the floor first; without the target
   std::vector<PlacedShape> target;  ///< convex pieces, which may overlap
+  double support_height_m = 0.0;    ///< of the plane that the target lies on
 };
 
 /// The places of the Jogramop framework (Rudorfer, Hartvich, Vonasek, RoMoCo 2024), from their dimensions.

@@ -170,7 +170,7 @@ TEST_F(AntipodalGrasps, KeepTheOpenHandClearOfTheObject) {
   const Eigen::Isometry3d X_WT = robot_->tcpPose(q);
   AntipodalRules rules;
   for (const Shape& shape : shapes()) {
-    const std::vector<Grasp> grasps = antipodalGrasps(robot_, {at(shape)}, rules, 50, 7);
+    const std::vector<Grasp> grasps = antipodalGrasps(robot_, {at(shape)}, {}, rules, 50, 7);
     ASSERT_EQ(grasps.size(), 50u);
     for (const Grasp& grasp : grasps) {
       CollisionProblem problem;
@@ -182,10 +182,25 @@ TEST_F(AntipodalGrasps, KeepTheOpenHandClearOfTheObject) {
   }
 }
 
+TEST_F(AntipodalGrasps, KeepFingersAboveWhatTheObjectStandsOnButNotTheHand) {
+  constexpr double kFloor_m = -0.0335;
+  const PlacedShape floor{Box{{2, 2, 0.1}}, Eigen::Isometry3d(Eigen::Translation3d(0, 0, kFloor_m - 0.05))};
+  int hands_below = 0;
+  for (const Grasp& grasp : antipodalGrasps(robot_, {at(Sphere{0.0335})}, {floor}, {}, 200, 3))
+    for (const double side : {-1.0, 1.0}) {
+      for (const double y : {0.04, 0.0664}) {  // a finger's tip, inner and outer edge
+        const Eigen::Vector3d tip = grasp.X_OT * Eigen::Vector3d(0.0, side * y, 0.0072);
+        EXPECT_GE(tip.z(), kFloor_m - 1e-9);
+      }
+      hands_below += (grasp.X_OT * Eigen::Vector3d(0.0, side * 0.1, -0.039)).z() < kFloor_m ? 1 : 0;
+    }
+  EXPECT_GT(hands_below, 0);
+}
+
 TEST_F(AntipodalGrasps, AreTheSameForTheSameSeedAndOthersForAnother) {
   const auto poses = [&](std::uint64_t seed) {
     std::vector<double> numbers;
-    for (const Grasp& grasp : antipodalGrasps(robot_, {at(Sphere{0.0335})}, {}, 20, seed))
+    for (const Grasp& grasp : antipodalGrasps(robot_, {at(Sphere{0.0335})}, {}, {}, 20, seed))
       numbers.insert(numbers.end(), grasp.X_OT.matrix().data(), grasp.X_OT.matrix().data() + 16);
     return numbers;
   };
@@ -194,7 +209,7 @@ TEST_F(AntipodalGrasps, AreTheSameForTheSameSeedAndOthersForAnother) {
 }
 
 TEST_F(AntipodalGrasps, SayWhenThereAreNotEnough) {
-  EXPECT_THROW(antipodalGrasps(robot_, {at(Sphere{0.06})}, {}, 1, 1), std::invalid_argument);
+  EXPECT_THROW(antipodalGrasps(robot_, {at(Sphere{0.06})}, {}, {}, 1, 1), std::invalid_argument);
 }
 
 }  // namespace
