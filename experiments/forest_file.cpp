@@ -29,7 +29,7 @@ int parentOf(const ob::PlannerData& data, unsigned vertex, bool pick) {
 
 }  // namespace
 
-void writeForests(const std::string& file, const std::string& scene, const Problem& problem,
+void writeForests(const std::string& file, const std::string& scene, const PlanningProblem& problem,
                   const ob::Planner& planner) {
   constexpr int kPickTag = 1;
   ob::PlannerData data(problem.si);
@@ -39,7 +39,7 @@ void writeForests(const std::string& file, const std::string& scene, const Probl
   for (unsigned i = 0; i < data.numVertices(); ++i) {
     const auto* state = data.getVertex(i).getState()->as<ManipulationStateSpace::StateType>();
     const bool pick = data.getVertex(i).getTag() == kPickTag;
-    openings[std::to_string(state->grasp)] = problem.region->grasp(state->grasp).opening_m;
+    openings[std::to_string(state->grasp)] = problem.opening_m(state->grasp);
     nodes.push_back({{"side", pick ? 0 : 1},
                      {"grasp", state->grasp},
                      {"parent", parentOf(data, i, pick)},

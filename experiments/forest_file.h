@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "experiments/problem.h"
+#include "experiments/planning_problem.h"
 
 namespace b4p {
 
@@ -11,7 +11,7 @@ namespace b4p {
 /// ...}, "nodes": [{"side": 0 pick | 1 place, "grasp": id, "parent": index or -1, "q": [...]}]}.
 /// @param scene name or path of the scene file
 /// @throws InputError when the file cannot be written
-void writeForests(const std::string& file, const std::string& scene, const Problem& problem,
+void writeForests(const std::string& file, const std::string& scene, const PlanningProblem& problem,
                   const ompl::base::Planner& planner);
 
 }  // namespace b4p

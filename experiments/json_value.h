@@ -30,6 +30,7 @@ class JsonValue {
   const JsonValue& requireSchema(int version) const;
 
   JsonValue operator[](const char* key) const;  ///< a key that is there
+  bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
   bool isNull() const { return value_.is_null(); }
 
   std::vector<JsonValue> items() const;  ///< of a list

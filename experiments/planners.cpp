@@ -6,23 +6,31 @@
 #include <utility>
 
 #include <ompl/base/GenericParam.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Exception.h>
 
 #include "planners/b4p/b4p_planner.h"
 #include "planners/baselines/rrt_individual.h"
 #include "planners/baselines/rrt_restart.h"
 #include "planners/baselines/rrt_shared.h"
+#include "planners/reach/bik_rrt.h"
+#include "planners/reach/ik_rrt.h"
+#include "planners/reach/jplus_rrt.h"
 #include "robots/input_error.h"
 
 namespace b4p {
 
 namespace ob = ompl::base;
+namespace og = ompl::geometric;
 
 namespace {
 
 /// Picks that an ordinary planner starts from where grasps form a continuum.
 constexpr int kManyStarts = 64;
+
+const std::set<TaskKind> kBothTasks{TaskKind::kPickPlace, TaskKind::kReach};
 
 constexpr const char* kThreads = "threads";
 constexpr const char* kPaper = "paper";
@@ -63,8 +71,8 @@ PlannerCatalogue PlannerCatalogue::standard() {
   PlannerCatalogue catalogue;
   catalogue.add({"b4p",
                  "B4P, default search: roots without limit, every grasp served in turn, connections across "
-                 "grasps repaired",
-                 0, make<B4P>});
+                 "grasps repaired; when reaching, all threads one bidirectional search",
+                 0, make<B4P>, kBothTasks});
   catalogue.add({"b4p-paper", "B4P as printed: a fixed number of roots, one forest per side for all grasps",
                  0, makePaperB4P});
   catalogue.add(
@@ -80,9 +88,25 @@ PlannerCatalogue PlannerCatalogue::standard() {
       {"rrt-restart",
        "a race of RRT-Connects over pairs of grasp and placement, in slices that grow; none is dropped", 0,
        make<RRTRestart>});
-  catalogue.add({"rrtconnect",
-                 "OMPL's RRTConnect on joints x grasp, all picks as starts, placements as goals", kManyStarts,
-                 make<ompl::geometric::RRTConnect>});
+  catalogue.add(
+      {"rrtconnect",
+       "OMPL's RRTConnect on joints x grasp: all picks as starts, placements as goals; when reaching, "
+       "configurations at grasps by inverse kinematics as goals",
+       kManyStarts, make<og::RRTConnect>, kBothTasks});
+  const auto add_reaching = [&catalogue](const char* name, const char* description, const auto& made) {
+    catalogue.add({name, description, 0, made, {TaskKind::kReach}});
+  };
+  add_reaching("jplus-rrt",
+               "J+-RRT: a tree led to grasps by steps of the Jacobian's pseudo-inverse, without "
+               "inverse kinematics",
+               make<JPlusRRT>);
+  add_reaching("ik-rrt", "IK-RRT: grasps one after the other, inverse kinematics and an RRT to what it finds",
+               make<IKRRT>);
+  add_reaching("bik-rrt", "BIK-RRT: bidirectional, goal trees added online by inverse kinematics",
+               make<BIKRRT>);
+  add_reaching("rrt", "OMPL's RRT, goals by inverse kinematics", make<og::RRT>);
+  add_reaching("rrtstar", "OMPL's RRTstar, goals by inverse kinematics, until its first exact path",
+               make<og::RRTstar>);
   return catalogue;
 }
 
@@ -95,29 +119,11 @@ const PlannerKind& PlannerCatalogue::find(const std::string& name, const std::st
   throw InputError(where, "", "no planner is called '" + name + "'; there are: " + known);
 }
 
-std::string parameterMeaning(const ob::Planner& planner, const std::string& name) {
-  if (dynamic_cast<const ParallelPlanner*>(&planner) == nullptr) return "";
-  static const std::map<std::string, std::string> meanings{
-      {kThreads, "parallel workers (count); set by --threads"},
-      {kPaper, "1: the algorithm as printed; set by the planner's name"},
-      {"pick_roots", "b4p-paper: pick trees (count)"},
-      {"place_roots", "b4p-paper: place trees (count)"},
-      {"relaxed", "1: trees of different grasps are joined; 0: only those of equal grasps"},
-      {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
-      {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
-      {"slice",
-       "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},
-      {"root_attempts",
-       "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},
-      {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"},
-      {"placement_attempts", "placements without a place root after which a grasp is given up (count)"},
-      {"redraw", "0: a grasp without a place root is kept; 1: given up after placement_attempts"},
-      {"restart_s", "time after which the trees are dropped for another grasp (s)"},
-      {"restart_iterations",
-       "> 0: drops all trees after so many steps of all threads (iterations); b4p: paper mode only"},
-      {"growth", "each slice is so many times the one before (factor)"}};
-  const auto found = meanings.find(name);
-  return found == meanings.end() ? "" : found->second;
+std::string PlannerCatalogue::namesFor(TaskKind task) const {
+  std::string names;
+  for (const PlannerKind& kind : kinds_)
+    if (kind.tasks.count(task) > 0) names += (names.empty() ? "" : ", ") + kind.name;
+  return names;
 }
 
 ob::PlannerPtr makePlanner(const PlannerKind& kind, const PlannerParameters& parameters, unsigned threads,

@@ -3,10 +3,13 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <ompl/base/Planner.h>
+
+#include "experiments/scene.h"
 
 namespace b4p {
 
@@ -14,9 +17,11 @@ namespace b4p {
 struct PlannerKind {
   std::string name;
   std::string description;
-  /// How many picks a problem gets as start states. 0 for planners that draw picks by themselves.
+  /// How many picks a problem of pick and place gets as start states. 0 for planners that draw picks by
+  /// themselves.
   int start_states = 0;
   std::function<ompl::base::PlannerPtr(const ompl::base::SpaceInformationPtr&)> make;
+  std::set<TaskKind> tasks = {TaskKind::kPickPlace};  ///< what it is made for
 };
 
 using PlannerParameters = std::map<std::string, std::string>;
@@ -24,7 +29,8 @@ using PlannerParameters = std::map<std::string, std::string>;
 /// The planners there are, in the order they are listed.
 class PlannerCatalogue {
  public:
-  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect.
+  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect; for reaching b4p, rrtconnect,
+  /// jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar.
   static PlannerCatalogue standard();
 
   void add(PlannerKind kind) { kinds_.push_back(std::move(kind)); }
@@ -33,6 +39,9 @@ class PlannerCatalogue {
   /// @param where  named in errors: the option or file and key
   /// @throws InputError listing the names there are
   const PlannerKind& find(const std::string& name, const std::string& where) const;
+
+  /// The names of those made for a kind of task, separated by commas.
+  std::string namesFor(TaskKind task) const;
 
  private:
   std::vector<PlannerKind> kinds_;

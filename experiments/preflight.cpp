@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "experiments/floating_body.h"
-#include "experiments/problem.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -79,8 +78,9 @@ void requireReachableRegion(const Problem& problem, SceneRegionContext& context,
 
 }  // namespace
 
-void preflight(const Scene& scene) {
-  const Problem problem = makeProblem(scene);
+void preflight(const Scene& scene) { makePlanningProblem(scene)->requireSolvable(); }
+
+void requirePickAndPlaceSolvable(const Problem& problem) {
   requireObjectClear(problem);
   const auto context = problem.region->makeSceneContext(kSeed);
   requireReachableRegion(problem, *context, validGrasps(problem, *context));

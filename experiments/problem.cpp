@@ -1,68 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/problem.h"
 
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include <ompl/base/ScopedState.h>
 
-#include "robots/input_error.h"
-#include "robots/robot_model.h"
+#include "experiments/preflight.h"
 
 namespace b4p {
 
 namespace ob = ompl::base;
-namespace og = ompl::geometric;
 
-namespace {
-
-std::shared_ptr<const CollisionChecker> makeChecker(const Scene& scene,
-                                                    std::shared_ptr<const Manipulator> robot) {
-  CollisionProblem problem;
-  problem.robot = std::move(robot);
-  problem.obstacles = scene.obstacles;
-  problem.object = scene.pickPlace().object;
-  problem.edge_step_m = scene.edge_step_m;
-  try {
-    return makeFclChecker(std::move(problem));
-  } catch (const std::invalid_argument& e) {
-    throw InputError(scene.file, "", e.what());
-  }
+void Problem::addRegion(std::shared_ptr<const SceneRegion> of_region) {
+  region = std::move(of_region);
+  addPlanningParts(region);
+  space->setGraspCount([known = region] { return known->graspCount(); });
+  goal = std::make_shared<PlaceGoal>(si, region);
+  setup->setGoal(goal);
 }
 
-ob::RealVectorBounds jointBounds(const Manipulator& robot) {
-  ob::RealVectorBounds bounds(static_cast<unsigned>(robot.dof()));
-  for (int i = 0; i < robot.dof(); ++i) {
-    bounds.setLow(static_cast<unsigned>(i), robot.lower()[i]);
-    bounds.setHigh(static_cast<unsigned>(i), robot.upper()[i]);
-  }
-  return bounds;
+void Problem::plantStarts(int picks, std::uint64_t seed, const ob::PlannerTerminationCondition& done) const {
+  addStartStates(*this, picks, seed, done);
 }
 
-/// All that planners need, once robot, checker and region are there.
-void addPlanningParts(Problem& problem) {
-  problem.space = std::make_shared<ManipulationStateSpace>(jointBounds(*problem.robot));
-  problem.space->setGraspCount([region = problem.region] { return region->graspCount(); });
-  problem.counts = std::make_shared<ValidityCounts>();
-  problem.motions = std::make_shared<SceneMotionChecker>(problem.checker, problem.region);
-  problem.si = makeManipulationSpaceInformation(problem.space, problem.motions, problem.counts);
-  problem.goal = std::make_shared<PlaceGoal>(problem.si, problem.region);
-  problem.setup = std::make_shared<og::SimpleSetup>(problem.si);
-  problem.setup->setGoal(problem.goal);
-  problem.pdef = problem.setup->getProblemDefinition();
+void Problem::interpret(const ompl::geometric::PathGeometric& path, PlanResult& result) const {
+  result.grasp_id = path.getState(0)->as<ManipulationStateSpace::StateType>()->grasp;
+  result.grasp = region->grasp(result.grasp_id);
+  result.X_WO_pick = region->objectPose(result.path.front().data(), result.grasp);
+  result.X_WO_place = region->objectPose(result.path.back().data(), result.grasp);
 }
 
-}  // namespace
+void Problem::requireSolvable() const { requirePickAndPlaceSolvable(*this); }
 
 Problem makeProblem(const Scene& scene) {
   Problem problem;
-  problem.scene = scene;
-  problem.robot = std::make_shared<Manipulator>(loadUrdf(scene.robot.urdf_file), scene.robot.description,
-                                                scene.X_WB, scene.robot.file);
-  problem.checker = makeChecker(scene, problem.robot);
-  problem.region = std::make_shared<SceneRegion>(scene, problem.checker);
-  addPlanningParts(problem);
+  problem.addWorld(scene, scene.pickPlace().object);
+  problem.addRegion(std::make_shared<SceneRegion>(scene, problem.checker));
   return problem;
 }
 
@@ -71,9 +44,8 @@ Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps) {
   restricted.scene = problem.scene;
   restricted.robot = problem.robot;
   restricted.checker = problem.checker;
-  restricted.region = std::make_shared<SceneRegion>(problem.scene, problem.checker,
-                                                    std::make_unique<ListedGraspSampler>(std::move(grasps)));
-  addPlanningParts(restricted);
+  restricted.addRegion(std::make_shared<SceneRegion>(
+      problem.scene, problem.checker, std::make_unique<ListedGraspSampler>(std::move(grasps))));
   return restricted;
 }
 
@@ -99,15 +71,6 @@ int addStartStates(const Problem& problem, int wanted, std::uint64_t seed,
   while (added < wanted && !done())
     if (context->samplePick(state->q, state->grasp)) add();
   return added;
-}
-
-std::uint64_t derivedSeed(std::uint64_t seed, std::uint64_t stream) {
-  // SplitMix64 (Steele, Lea, Flood 2014), folded to 32 bits.
-  std::uint64_t z = seed + (stream + 1) * 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  z ^= z >> 31;
-  return z % std::numeric_limits<std::uint32_t>::max() + 1;
 }
 
 }  // namespace b4p

@@ -5,37 +5,36 @@
 #include <memory>
 #include <vector>
 
-#include <ompl/base/PlannerTerminationCondition.h>
-#include <ompl/geometric/PathGeometric.h>
-#include <ompl/geometric/SimpleSetup.h>
-
-#include "experiments/scene.h"
-#include "experiments/scene_motion_checker.h"
+#include "experiments/planning_problem.h"
 #include "experiments/scene_region.h"
-#include "planners/manipulation_state_space.h"
-#include "planners/manipulation_validity.h"
 #include "planners/place_goal.h"
-#include "state_validity/collision_checker.h"
 
 namespace b4p {
 
-/// A scene as an OMPL problem: any planner of `si` solves it once it has start states (addStartStates()); B4P
-/// draws more by itself. A problem belongs to one query, because its region learns grasps while planners run.
-struct Problem {
-  Scene scene;
-  std::shared_ptr<const Manipulator> robot;
-  std::shared_ptr<const CollisionChecker> checker;
+/// A scene of pick and place as an OMPL problem: start states are picks (addStartStates()); B4P draws more by
+/// itself. A problem belongs to one query, because its region learns grasps while planners run.
+struct Problem : PlanningProblem {
   std::shared_ptr<const SceneRegion> region;
-  std::shared_ptr<ManipulationStateSpace> space;
-  std::shared_ptr<const SceneMotionChecker> motions;
-  ompl::base::SpaceInformationPtr si;
-  std::shared_ptr<ValidityCounts> counts;
   std::shared_ptr<PlaceGoal> goal;
-  ompl::geometric::SimpleSetupPtr setup;  ///< holds pdef
-  ompl::base::ProblemDefinitionPtr pdef;
+
+  void seedGoal(std::uint64_t seed) override { goal->seed(seed); }
+  void plantStarts(int picks, std::uint64_t seed,
+                   const ompl::base::PlannerTerminationCondition& done) const override;
+  double opening_m(GraspId grasp) const override { return region->grasp(grasp).opening_m; }
+  void interpret(const ompl::geometric::PathGeometric& path, PlanResult& result) const override;
+
+  /// @throws InputError when the object at its start pose is nearer to an obstacle than contact_clearance_m,
+  ///   none of many grasps drawn is valid there (with the commonest reason), or no placement drawn can be
+  ///   reached with any grasp that is
+  void requireSolvable() const override;
+
+ private:
+  friend Problem makeProblem(const Scene& scene);
+  friend Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps);
+  void addRegion(std::shared_ptr<const SceneRegion> of_region);
 };
 
-/// @throws InputError when the robot's files are at fault
+/// @throws InputError when the robot's files are at fault, or the scene's task is another
 Problem makeProblem(const Scene& scene);
 
 /// The same task with no other grasps than these, numbered from 0. Shares robot and collision checker.
@@ -46,9 +45,5 @@ Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps);
 /// @return how many were added
 int addStartStates(const Problem& problem, int wanted, std::uint64_t seed,
                    const ompl::base::PlannerTerminationCondition& done);
-
-/// A number derived from a seed and a stream number, good as the seed of another generator. Never 0; fits 32
-/// bits.
-std::uint64_t derivedSeed(std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace b4p

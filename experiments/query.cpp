@@ -20,12 +20,23 @@ enum Stream : std::uint64_t { kOmplStream, kGoalStream, kStartStream };
 
 /// OMPL says, as an error, that seeding comes too late for those generators that exist already; those of this
 /// query do not yet.
-Problem makeSeededProblem(const Scene& scene, std::uint64_t seed) {
+std::unique_ptr<PlanningProblem> makeSeededProblem(const Scene& scene, std::uint64_t seed) {
   ompl::msg::noOutputHandler();
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(derivedSeed(seed, kOmplStream)));
-  Problem problem = makeProblem(scene);
-  problem.goal->seed(derivedSeed(seed, kGoalStream));
+  auto problem = makePlanningProblem(scene);
+  problem->seedGoal(derivedSeed(seed, kGoalStream));
   return problem;
+}
+
+/// The planner, which has to be made for the scene's kind of task.
+const PlannerKind& findFitting(const PlannerCatalogue& catalogue, const std::string& name, const Scene& scene,
+                               const std::string& where) {
+  const PlannerKind& kind = catalogue.find(name, where);
+  if (kind.tasks.count(scene.kind()) == 0)
+    throw InputError(where, "",
+                     "'" + name + "' is no planner for a task of " + nameOf(scene.kind()) + " such as '" +
+                         scene.name + "'; there are: " + catalogue.namesFor(scene.kind()));
+  return kind;
 }
 
 }  // namespace
@@ -34,32 +45,32 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
              const QuerySettings& settings, const std::string& where)
     : scene_name_(scene_name), settings_(settings), problem_(makeSeededProblem(scene, settings.seed)) {
   requireTimeLimit(settings.time_limit_s, where, "time limit");
-  const PlannerKind& kind = catalogue.find(settings.planner, where);
+  const PlannerKind& kind = findFitting(catalogue, settings.planner, scene, where);
   const auto prepare = [this, starts = kind.start_states](const ob::PlannerTerminationCondition& done) {
-    configurations_ = problem_.motions->configurationsChecked();
-    edge_checks_ = problem_.counts->edges;
-    addStartStates(problem_, starts, derivedSeed(settings_.seed, kStartStream), done);
+    configurations_ = problem_->motions->configurationsChecked();
+    edge_checks_ = problem_->counts->edges;
+    problem_->plantStarts(starts, derivedSeed(settings_.seed, kStartStream), done);
   };
   // Until the run ends, configurations_ is where the counter stood when it began.
-  const auto checked = [this] { return problem_.motions->configurationsChecked() - configurations_; };
+  const auto checked = [this] { return problem_->motions->configurationsChecked() - configurations_; };
   const auto finish = [this, checked] {
     configurations_ = checked();
-    edge_checks_ = problem_.counts->edges - edge_checks_;
+    edge_checks_ = problem_->counts->edges - edge_checks_;
   };
   planner_ = std::make_shared<DeadlinePlanner>(
-      makePlanner(kind, settings.parameters, settings.threads, problem_.si, where),
+      makePlanner(kind, settings.parameters, settings.threads, problem_->si, where),
       RunLimits{settings.time_limit_s, settings.check_limit, settings.stop}, prepare, finish, checked);
-  problem_.setup->setPlanner(planner_);
+  problem_->setup->setPlanner(planner_);
 }
 
 void Query::solve() {
-  planner_->setProblemDefinition(problem_.pdef);
+  planner_->setProblemDefinition(problem_->pdef);
   planner_->setup();
   status_ = planner_->solve(ob::plannerNonTerminatingCondition());
 }
 
 PlanResult Query::result(const ob::PlannerStatus& status) const {
-  PlanResult result = pathResult(problem_, status);
+  PlanResult result = pathResult(*problem_, status);
   result.scene = scene_name_;
   result.planner = settings_.planner;
   planner_->params().getParams(result.parameters);
@@ -70,7 +81,7 @@ PlanResult Query::result(const ob::PlannerStatus& status) const {
   return result;
 }
 
-PlanResult pathResult(const Problem& problem, const ob::PlannerStatus& status) {
+PlanResult pathResult(const PlanningProblem& problem, const ob::PlannerStatus& status) {
   PlanResult result;
   result.status = status.asString();
   for (const int joint : problem.robot->plannedJoints())
@@ -85,10 +96,7 @@ PlanResult pathResult(const Problem& problem, const ob::PlannerStatus& status) {
     const double* q = path.getState(static_cast<unsigned>(i))->as<StateType>()->q;
     result.path.emplace_back(q, q + dof);
   }
-  result.grasp_id = path.getState(0)->as<StateType>()->grasp;
-  result.grasp = problem.region->grasp(result.grasp_id);
-  result.X_WO_pick = problem.region->objectPose(result.path.front().data(), result.grasp);
-  result.X_WO_place = problem.region->objectPose(result.path.back().data(), result.grasp);
+  problem.interpret(path, result);
   return result;
 }
 

@@ -8,7 +8,7 @@
 
 #include "experiments/deadline_planner.h"
 #include "experiments/planners.h"
-#include "experiments/problem.h"
+#include "experiments/planning_problem.h"
 #include "experiments/result.h"
 #include "experiments/run_limits.h"
 #include "experiments/scene.h"
@@ -39,7 +39,7 @@ class Query {
   Query(const Scene& scene, const std::string& scene_name, const PlannerCatalogue& catalogue,
         const QuerySettings& settings, const std::string& where);
 
-  const Problem& problem() const { return problem_; }
+  const PlanningProblem& problem() const { return *problem_; }
   const std::shared_ptr<DeadlinePlanner>& planner() const { return planner_; }
 
   /// Runs the planner. Exceptions out of it become the status CRASH.
@@ -60,16 +60,15 @@ class Query {
  private:
   std::string scene_name_;
   QuerySettings settings_;
-  Problem problem_;
+  std::unique_ptr<PlanningProblem> problem_;
   std::shared_ptr<DeadlinePlanner> planner_;
   ompl::base::PlannerStatus status_;
   std::uint64_t configurations_ = 0;
   std::uint64_t edge_checks_ = 0;
 };
 
-/// What a planner's status and the solution path of a problem say: status, joints, path, grasp and object
-/// poses.
-PlanResult pathResult(const Problem& problem, const ompl::base::PlannerStatus& status);
+/// What a planner's status and the solution path of a problem say: status, joints, path, grasp and poses.
+PlanResult pathResult(const PlanningProblem& problem, const ompl::base::PlannerStatus& status);
 
 /// Whether the planner ended by an exception, its own handling of it included.
 bool crashed(const PlanResult& result);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kSchema = 1;
 constexpr int kIndent = 1;
+constexpr const char* kReached = "X_WT_reached";
 
 void requireFinite(double number, const char* name) {
   if (!std::isfinite(number)) throw std::invalid_argument(std::string("result: ") + name + " is not finite");
@@ -62,12 +63,24 @@ Verification readVerification(const JsonValue& element) {
 }
 
 void readMotion(const JsonValue& root, PlanResult& result) {
-  result.grasp = graspFrom(root["grasp"]);
-  result.X_WO_pick = readPose(root["X_WO_pick"]);
-  result.X_WO_place = readPose(root["X_WO_place"]);
+  if (root.has(kReached)) {
+    result.X_WT_reached = readPose(root[kReached]);
+  } else {
+    result.grasp = graspFrom(root["grasp"]);
+    result.X_WO_pick = readPose(root["X_WO_pick"]);
+    result.X_WO_place = readPose(root["X_WO_place"]);
+  }
   for (const JsonValue& name : root["joint_names"].items()) result.joint_names.push_back(name.text());
   for (const JsonValue& row : root["path"].items())
     result.path.push_back(row.numbers(result.joint_names.size()));
+}
+
+/// What the hand holds, or where it comes to.
+Json handJson(const PlanResult& result) {
+  if (result.X_WT_reached) return {{kReached, toJson(*result.X_WT_reached, kReached)}};
+  return {{"grasp", graspJson(result.grasp)},
+          {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
+          {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")}};
 }
 
 }  // namespace
@@ -90,23 +103,22 @@ Json resultJson(const PlanResult& result) {
   requireFinite(result.planning_time_s, "planning_time_s");
   for (const auto& row : result.path)
     for (const double value : row) requireFinite(value, "path");
-  return {{"schema", kSchema},
-          {"scene", result.scene},
-          {"planner", result.planner},
-          {"parameters", Json(result.parameters)},
-          {"seed", result.seed},
-          {"threads", result.threads},
-          {"time_limit_s", result.time_limit_s},
-          {"planning_time_s", result.planning_time_s},
-          {"status", result.status},
-          {"solved", result.solved},
-          {"grasp_id", result.grasp_id},
-          {"grasp", graspJson(result.grasp)},
-          {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
-          {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")},
-          {"joint_names", result.joint_names},
-          {"path", result.path},
-          {"verification", toJson(result.verification)}};
+  Json document{{"schema", kSchema},
+                {"scene", result.scene},
+                {"planner", result.planner},
+                {"parameters", Json(result.parameters)},
+                {"seed", result.seed},
+                {"threads", result.threads},
+                {"time_limit_s", result.time_limit_s},
+                {"planning_time_s", result.planning_time_s},
+                {"status", result.status},
+                {"solved", result.solved},
+                {"grasp_id", result.grasp_id}};
+  document.update(handJson(result));
+  document.update({{"joint_names", result.joint_names},
+                   {"path", result.path},
+                   {"verification", toJson(result.verification)}});
+  return document;
 }
 
 void writeResult(const std::string& file, const PlanResult& result) {
@@ -115,10 +127,15 @@ void writeResult(const std::string& file, const PlanResult& result) {
 }
 
 PlanResult resultFrom(const JsonValue& root) {
-  root.requireSchema(kSchema).requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads",
-                                           "time_limit_s", "planning_time_s", "status", "solved", "grasp_id",
-                                           "grasp", "X_WO_pick", "X_WO_place", "joint_names", "path",
-                                           "verification"});
+  root.requireSchema(kSchema);
+  if (root.has(kReached))
+    root.requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s",
+                      "planning_time_s", "status", "solved", "grasp_id", kReached, "joint_names", "path",
+                      "verification"});
+  else
+    root.requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s",
+                      "planning_time_s", "status", "solved", "grasp_id", "grasp", "X_WO_pick", "X_WO_place",
+                      "joint_names", "path", "verification"});
   PlanResult result;
   result.scene = root["scene"].text();
   result.planner = root["planner"].text();

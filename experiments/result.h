@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct Verification {
   double clearance_m = 0.0;  ///< smallest distance at any sample between things that may not touch (m)
 };
 
-/// A planned motion as it is written to a file (JSON).
+/// A planned motion as it is written to a file (JSON): of an object, held with `grasp` all the way, or of the
+/// empty hand to a grasp, where X_WT_reached stands in place of `grasp` and the object's poses.
 struct PlanResult {
   std::string scene;  ///< name or path, as loadScene() takes it
   std::string planner;
@@ -33,10 +35,11 @@ struct PlanResult {
   double planning_time_s = 0.0;
   std::string status;   ///< OMPL's name of the planner status
   bool solved = false;  ///< an exact path was found
-  int grasp_id = -1;
+  int grasp_id = -1;    ///< of the grasp held, or reached: row grasp_id + 1 of the scene's grasps
   Grasp grasp;
   Eigen::Isometry3d X_WO_pick = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d X_WO_place = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::Isometry3d> X_WT_reached;  ///< where the TCP is at the path's end
   std::vector<std::string> joint_names;
   std::vector<std::vector<double>> path;  ///< way-points, one value per joint (rad or m)
   Verification verification;

@@ -21,6 +21,12 @@ struct RobotFile {
   ManipulatorDescription description;
 };
 
+/// In the order of Scene::task.
+enum class TaskKind { kPickPlace, kReach };
+
+/// As messages call it.
+inline std::string nameOf(TaskKind kind) { return kind == TaskKind::kReach ? "reaching" : "pick and place"; }
+
 /// A task with all around it, as its file describes it (experiments/scenes/*.yaml).
 struct Scene {
   std::string file;
@@ -32,10 +38,12 @@ struct Scene {
   double budget_s = 10.0;  ///< the scene's usual time limit
   std::variant<PickPlaceTask, ReachTask> task;
 
+  TaskKind kind() const { return static_cast<TaskKind>(task.index()); }
+
   /// The task of a scene that has to be one of pick and place. @throws InputError for another
   const PickPlaceTask& pickPlace() const {
     if (const auto* found = std::get_if<PickPlaceTask>(&task)) return *found;
-    throw InputError(file, "reach", "is a reaching task; a task of pick and place is needed here");
+    throw InputError(file, "reach", "is a task of reaching; one of pick and place is needed here");
   }
   PickPlaceTask& pickPlace() { return const_cast<PickPlaceTask&>(std::as_const(*this).pickPlace()); }
 };

@@ -32,14 +32,32 @@ std::string certified(const Scene& scene) {
   }
 }
 
+/// What is known of a scene's task.
+struct Account {
+  const Scene& scene;
+
+  std::string operator()(const PickPlaceTask&) const { return certified(scene); }
+  std::string operator()(const ReachTask& task) const {
+    const bool several = task.X_WT.size() != 1;
+    return "reaching: " + std::to_string(task.X_WT.size()) +
+           (task.orientation_free ? " position" : " grasp") + (several ? "s" : "");
+  }
+};
+
 void listScenes() {
   std::cout << "Scenes\n";
   for (const std::string& name : sceneNames()) {
     const Scene scene = loadScene(name);
     std::cout << "  " << name << ": robot " << scene.robot.file << ", budget " << scene.budget_s
-              << " s, edge step " << scene.edge_step_m << " m\n    ";
-    std::cout << certified(scene) << "\n";
+              << " s, edge step " << scene.edge_step_m << " m\n    " << std::visit(Account{scene}, scene.task)
+              << "\n";
   }
+}
+
+std::string tasksOf(const PlannerKind& kind) {
+  std::string tasks;
+  for (const TaskKind task : kind.tasks) tasks += (tasks.empty() ? "" : ", ") + nameOf(task);
+  return tasks;
 }
 
 void listPlanners() {
@@ -49,7 +67,7 @@ void listPlanners() {
   std::cout << "Planners (parameters: default, range; meaning)\n";
   const PlannerCatalogue catalogue = PlannerCatalogue::standard();
   for (const PlannerKind& kind : catalogue.kinds()) {
-    std::cout << "  " << kind.name << ": " << kind.description << "\n";
+    std::cout << "  " << kind.name << " (" << tasksOf(kind) << "): " << kind.description << "\n";
     const auto planner = kind.make(si);
     for (const auto& [name, parameter] : planner->params().getParams()) {
       std::cout << "    " << name << ": " << parameter->getValue();

@@ -104,6 +104,7 @@ ExitCode outcome(const std::vector<SpeedRun>& runs) {
 
 int simulate(const Options& options) {
   const Scene scene = loadScene(options.scene);
+  scene.pickPlace();  // nothing else is simulated
   const SpeedStudy study = studyFrom(options, scene);
   const std::vector<SpeedCase> cases = casesFrom(options);
   SpeedFile file(options.out, study);

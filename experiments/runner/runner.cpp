@@ -16,6 +16,7 @@
 #include "experiments/preflight.h"
 #include "experiments/runner/build_info.h"
 #include "experiments/runner/summary.h"
+#include "experiments/tcp_path_length.h"
 #include "experiments/verification/verifier.h"
 #include "robots/input_error.h"
 
@@ -29,6 +30,7 @@ namespace {
 constexpr const char* kResultsFolder = "results";
 constexpr const char* kRunFile = "runs.jsonl";
 constexpr const char* kSettingsFile = "experiment.json";
+constexpr const char* kTcpPathLength = "tcp path length REAL";  ///< m
 
 std::string number(double value) {
   if (!std::isfinite(value)) return "nan";
@@ -59,6 +61,8 @@ OmplBenchmark::RunProperties ownColumns(const Query& query, const PlanResult& re
   columns["threads INTEGER"] = std::to_string(result.threads);
   columns["time to verified path REAL"] =
       number(verified ? result.planning_time_s : std::numeric_limits<double>::quiet_NaN());
+  columns[kTcpPathLength] = number(result.solved ? tcpPathLength_m(*query.problem().robot, result.path)
+                                                 : std::numeric_limits<double>::quiet_NaN());
   return columns;
 }
 
@@ -124,8 +128,8 @@ BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalog
       to_do_.push_back(*run);
   for (SceneRuns& runs : scenes_) {
     const std::string& name = runs.listed.scene.name;
-    runs.problem = makeProblem(runs.listed.scene);
-    runs.log = std::make_unique<OmplLog>(*runs.problem.setup, name, header(),
+    runs.problem = makePlanningProblem(runs.listed.scene);
+    runs.log = std::make_unique<OmplLog>(*runs.problem->setup, name, header(),
                                          experiment_.time_limit_s.value_or(runs.listed.scene.budget_s),
                                          experiment_.runs, experiment_.seed);
     for (const RunRecord& record : records())
@@ -137,7 +141,7 @@ BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalog
 
 void BenchmarkRunner::checkInput() {
   for (const std::string& given : experiment_.scenes) {
-    scenes_.push_back({{given, loadScene(given)}, {}, nullptr});
+    scenes_.push_back({{given, loadScene(given)}, nullptr, nullptr});
     const std::string& name = scenes_.back().listed.scene.name;
     if (std::count_if(scenes_.begin(), scenes_.end(),
                       [&name](const SceneRuns& s) { return s.listed.scene.name == name; }) > 1)

@@ -61,7 +61,7 @@ class BenchmarkRunner {
  private:
   struct SceneRuns {
     ListedScene listed;
-    Problem problem;  ///< lends OMPL's log its set-up
+    std::unique_ptr<PlanningProblem> problem;  ///< lends OMPL's log its set-up
     std::unique_ptr<OmplLog> log;
   };
   struct Planned {

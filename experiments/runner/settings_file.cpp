@@ -29,12 +29,20 @@ std::string contentOf(const std::string& file) {
   return text.str();
 }
 
+/// All that is read for a scene but its robot.
+std::string sceneContent(const Scene& scene) {
+  std::string content = contentOf(scene.file);
+  if (const auto* reach = std::get_if<ReachTask>(&scene.task); reach && !reach->grasp_file.empty())
+    content += contentOf(reach->grasp_file);
+  return content;
+}
+
 Json toJson(const Experiment& experiment, const ListedScene& listed) {
   const auto checks = experiment.check_limits.find(listed.given);
   const RobotFile& robot = listed.scene.robot;
   return {{"time_limit_s", experiment.time_limit_s.value_or(listed.scene.budget_s)},
           {"check_limit", checks == experiment.check_limits.end() ? Json(nullptr) : Json(checks->second)},
-          {"scene_file", contentOf(listed.scene.file)},
+          {"scene_file", sceneContent(listed.scene)},
           {"robot_file", contentOf(robot.file)},
           {"urdf_file", contentOf(robot.urdf_file)}};
 }

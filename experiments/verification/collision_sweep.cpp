@@ -84,10 +84,12 @@ void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
     for (const PlacedBody& placed : urdf_link.bodies)
       addBody("link '" + urdf_link.name + "'", link, false, placed);
   }
-  const Eigen::Isometry3d X_TO = grasp.X_OT.inverse(Eigen::Isometry);
-  for (const PlacedShape& piece : scene.pickPlace().object)
-    addBody("object '" + scene.pickPlace().object_name + "'", robot_.tcpLink(), true,
-            {ConvexBody::of(piece.shape), X_TO * piece.X_BS});
+  if (const auto* task = std::get_if<PickPlaceTask>(&scene.task)) {
+    const Eigen::Isometry3d X_TO = grasp.X_OT.inverse(Eigen::Isometry);
+    for (const PlacedShape& piece : task->object)
+      addBody("object '" + task->object_name + "'", robot_.tcpLink(), true,
+              {ConvexBody::of(piece.shape), X_TO * piece.X_BS});
+  }
   for (const Obstacle& obstacle : scene.obstacles)
     addBody("obstacle '" + obstacle.name + "'", kWorld, false,
             {ConvexBody::of(obstacle.shape.shape), obstacle.shape.X_BS});

@@ -149,10 +149,14 @@ std::string placementProblem(const Scene& scene, const Isometry3d& X_WO) {
   return "";
 }
 
+/// By its own name, by its file, or as those that ship are called: by the file without its extension, with or
+/// without the folders that lead to it.
 bool namesScene(const std::string& name_or_path, const Scene& scene) {
+  const std::string bare = "/" + std::filesystem::path(scene.file).replace_extension().generic_string();
+  const std::string end = "/" + name_or_path;
   std::error_code error;
   return name_or_path == scene.name || name_or_path == scene.file ||
-         name_or_path == std::filesystem::path(scene.file).stem() ||
+         (bare.size() >= end.size() && bare.compare(bare.size() - end.size(), end.size(), end) == 0) ||
          std::filesystem::equivalent(name_or_path, scene.file, error);
 }
 

@@ -7,6 +7,7 @@
 #include "experiments/verification/collision_sweep.h"
 #include "experiments/verification/kinematics.h"
 #include "experiments/verification/number_text.h"
+#include "experiments/verification/reach_checks.h"
 #include "experiments/verification/task_checks.h"
 #include "robots/input_error.h"
 
@@ -27,14 +28,46 @@ Eigen::Isometry3d objectPose(const Kinematics& robot, const Grasp& grasp, const 
   return X_WL[robot.tcpLink()] * grasp.X_OT.inverse(Eigen::Isometry);
 }
 
+/// What a result's path means for each kind of task.
+class TaskCheck {
+ public:
+  TaskCheck(const Scene& scene, const PlanResult& result, const Kinematics& robot)
+      : scene_(scene), result_(result), robot_(robot) {}
+
+  /// The first thing wrong with grasp and ends of the path.
+  std::string operator()(const PickPlaceTask&) const {
+    const std::string problem = verification::graspProblem(scene_, result_, robot_);
+    if (!problem.empty()) return problem;
+    return verification::endsProblem(scene_, result_, objectPose(robot_, result_.grasp, result_.path.front()),
+                                     objectPose(robot_, result_.grasp, result_.path.back()));
+  }
+  std::string operator()(const ReachTask& task) const {
+    return verification::reachProblem(task, result_, robot_, scene_.robot.description.max_opening_m);
+  }
+
+ private:
+  const Scene& scene_;
+  const PlanResult& result_;
+  const Kinematics& robot_;
+};
+
+/// How the hand goes along a path: holding the object, or empty and fully open.
+struct HandOf {
+  const Scene& scene;
+  const PlanResult& result;
+
+  Grasp operator()(const PickPlaceTask&) const { return result.grasp; }
+  Grasp operator()(const ReachTask&) const {
+    return {Eigen::Isometry3d::Identity(), scene.robot.description.max_opening_m};
+  }
+};
+
 /// The first thing wrong with the result apart from collisions.
 std::string taskProblem(const Scene& scene, const PlanResult& result, const Kinematics& robot) {
   std::string problem = verification::statusProblem(scene, result);
   if (problem.empty()) problem = verification::rowsProblem(scene, result, robot);
-  if (problem.empty()) problem = verification::graspProblem(scene, result, robot);
-  if (!problem.empty()) return problem;
-  return verification::endsProblem(scene, result, objectPose(robot, result.grasp, result.path.front()),
-                                   objectPose(robot, result.grasp, result.path.back()));
+  if (problem.empty()) problem = std::visit(TaskCheck(scene, result, robot), scene.task);
+  return problem;
 }
 
 /// An edge that needs too many samples: no answer in reasonable time.
@@ -75,7 +108,7 @@ Verification verify(const Scene& scene, const PlanResult& result) {
   outcome.step_m = scene.edge_step_m / kFinerThanPlanning;
   outcome.failure = taskProblem(scene, result, robot);
   if (!outcome.failure.empty()) return outcome;
-  CollisionSweep sweep(scene, robot, result.grasp, outcome.step_m);
+  CollisionSweep sweep(scene, robot, std::visit(HandOf{scene, result}, scene.task), outcome.step_m);
   outcome.failure = motionProblem(result, outcome.step_m, sweep);
   outcome.configurations = sweep.samples();
   outcome.passed = outcome.failure.empty();

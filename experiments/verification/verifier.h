@@ -12,9 +12,12 @@ namespace b4p {
 /// state_validity, KDL, urdfdom or FCL. Checked, until the first thing is found wrong:
 /// - the result is an exact solution of this scene;
 /// - its joints are the robot's, in order, and inside their limits;
-/// - the grasp is one that holds the object;
-/// - the object is at its start pose at the first way-point (within 1 mm and 0.2 degrees) and inside the
-///   placement region at the last one, and the poses stated in the result agree;
+/// - pick and place: the grasp is one that holds the object; the object is at its start pose at the first
+///   way-point (within 1 mm and 0.2 degrees) and inside the placement region at the last one, and the poses
+///   stated in the result agree;
+/// - reaching: the path begins at the scene's start, and at its end the TCP is within the scene's tolerance
+/// of
+///   the grasp stated, and where the result says; the fingers are fully open all the way;
 /// - along every edge nothing touches: links that the path can move against obstacles, links against
 ///   each other, held object against obstacles and links except fingers. Shapes are bare, without padding.
 ///   Links are not compared when no planned joint moves them against each other, when they (or what is

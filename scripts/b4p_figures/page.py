@@ -16,9 +16,18 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from b4p_figures.planar import GRADIENT, PICK_TO_PLACE
 from b4p_figures.sight import CAMERA_DISTANCE, Screens, fitting_distance
 from b4p_figures.spatial import GOAL, OBSTACLE, REGION, START, TRACE
-from b4p_figures.spatial import diagonal, directions, region_points, subject
+from b4p_figures.spatial import diagonal, directions, subject
 from b4p_figures.surfaces import segments, triangles, union
-from b4p_files.motion import Motion, motion_title, object_points, obstacle_points, replay, rest, robot_points
+from b4p_files.motion import (
+    Motion,
+    goal_points,
+    motion_title,
+    object_points,
+    obstacle_points,
+    replay,
+    rest,
+    robot_points,
+)
 from b4p_files.output import replacing
 from b4p_files.poses import Pose, transform
 from b4p_files.result import Result
@@ -65,10 +74,10 @@ def write_page(scene: Scene, result: Result | None, file: Path) -> None:
         if result is not None and len(result.path):
             motion = replay(scene, result, FRAMES)
             trace = replay(scene, result, TRACE_POINTS).tcp[:, :3, 3]
-            legend |= _add_ghosts(server.scene, scene, motion) | _add_trace(server.scene, trace)
+            legend |= _add_ghosts(server.scene, scene, motion) | _add_trace(server.scene, scene, trace)
         else:
             motion = rest(scene)
-            legend |= {"object at the pick": START}
+            legend |= {"object at the pick": START} if scene.object else {}
         _aim(server, scene, motion)
         html = _record(server, scene, motion)
     with replacing(file) as temporary:
@@ -118,14 +127,14 @@ def _add_scene(api: SceneApi, scene: Scene) -> dict[str, str]:
         surface = union([transform(placed.X_BS, placed.shape.points())])
         _add(api, f"/obstacles/{name}", surface, OBSTACLE, OBSTACLE_OPACITY)
         _add_edges(api, f"/obstacles/{name}/edges", surface, OBSTACLE)
-    region = union([region_points(scene)])
-    _add(api, "/placement region", region, REGION, REGION_OPACITY)
-    _add_edges(api, "/placement region/edges", region, REGION)
-    return {"obstacles": OBSTACLE, "placement region (object's origin)": REGION}
+    goal = union(goal_points(scene))
+    _add(api, "/goal", goal, REGION, REGION_OPACITY)
+    _add_edges(api, "/goal/edges", goal, REGION)
+    return {"obstacles": OBSTACLE, scene.words.goal: REGION}
 
 
 def _add_ghosts(api: SceneApi, scene: Scene, motion: Motion) -> dict[str, str]:
-    ends = {"pick": (0, -1, START), "place": (-1, 0, GOAL)}
+    ends = {scene.words.first: (0, -1, START), scene.words.last: (-1, 0, GOAL)}
     inset_m = GHOST_INSET * diagonal(subject(scene, motion, (0, -1))[0])
     for name, (moment, other, color) in ends.items():
         solids = {
@@ -135,18 +144,18 @@ def _add_ghosts(api: SceneApi, scene: Scene, motion: Motion) -> dict[str, str]:
         for part, points in solids.items():
             if points:
                 _add(api, f"/{name}/{part}", union(points), color, GHOST_OPACITY, inset_m)
-    return {f"robot and object at the {name}": color for name, (*_, color) in ends.items()}
+    shown = "robot and object" if scene.object else "robot"
+    return {f"{shown} at the {name}": color for name, (*_, color) in ends.items()}
 
 
-def _add_trace(api: SceneApi, trace: np.ndarray) -> dict[str, str]:
+def _add_trace(api: SceneApi, scene: Scene, trace: np.ndarray) -> dict[str, str]:
     # The client takes colours of single points as linear ones.
     colors = GRADIENT(np.linspace(0.0, 1.0, len(trace)))[:, :3] ** GAMMA
     ends, end_colors = (np.stack([rows[:-1], rows[1:]], axis=1) for rows in (trace, colors))
     api.add_line_segments("/TCP trace", ends, end_colors, thickness=TRACE_PIXELS, thickness_units="screen")
-    return {
-        "object on its way": TRACE,
-        "TCP from pick to place": f"linear-gradient(90deg, {', '.join(PICK_TO_PLACE)})",
-    }
+    way = f"TCP from {scene.words.first} to {scene.words.last}"
+    legend = {"object on its way": TRACE} if scene.object else {}
+    return legend | {way: f"linear-gradient(90deg, {', '.join(PICK_TO_PLACE)})"}
 
 
 def _aim(server: ViserServer, scene: Scene, motion: Motion) -> None:

@@ -10,10 +10,18 @@ from b4p_figures.canvas import Canvas
 from b4p_figures.sight import FROM_ABOVE, Directions, around
 from b4p_figures.style import DOTS_PER_INCH, plt, save
 from b4p_figures.surfaces import union
-from b4p_files.motion import Motion, motion_title, object_points, obstacle_points, replay, rest, robot_points
+from b4p_files.motion import (
+    Motion,
+    goal_points,
+    motion_title,
+    object_points,
+    obstacle_points,
+    replay,
+    rest,
+    robot_points,
+)
 from b4p_files.result import Result
 from b4p_files.scene import Scene
-from b4p_files.shapes import Box
 
 WIDTH_IN, HEIGHT_IN = 7.6, 6.9
 PIXELS = (WIDTH_IN * DOTS_PER_INCH, 5.6 * DOTS_PER_INCH)
@@ -25,7 +33,6 @@ MOMENTS = 61  # of the motion; odd, so that one is its middle
 GHOSTS = 5  # faint objects between start and goal
 TRACE_POINTS = 600
 TRACE_RADIUS = 0.003  # over the size of what is shown
-SMALLEST_REGION_M = 0.004  # a flat region is drawn this thick
 
 
 def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
@@ -33,9 +40,10 @@ def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
     add_task(canvas, scene)
     legend = [
         Patch(color=OBSTACLE, alpha=0.5, label="obstacles"),
-        Patch(color=REGION, alpha=0.4, label="placement region (object's origin)"),
-        Patch(color=START, label="object at the pick"),
+        Patch(color=REGION, alpha=0.4, label=scene.words.goal),
     ]
+    if scene.object:
+        legend.append(Patch(color=START, label="object at the pick"))
     if result is not None and len(result.path):
         motion = replay(scene, result, MOMENTS)
         shown = subject(scene, motion, (0, MOMENTS // 2, MOMENTS - 1))
@@ -50,22 +58,18 @@ def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
 
 
 def add_task(canvas: Canvas, scene: Scene) -> None:
-    """Obstacles, placement region, and the object at its start."""
+    """Obstacles, goal, and the object at its start where there is one."""
     for solid in obstacle_points(scene):
         canvas.add_screen(union([solid]), OBSTACLE, OBSTACLE_OPACITY)
         canvas.add_edges(union([solid]), OBSTACLE)
-    canvas.add_solid(union([region_points(scene)]), REGION, REGION_OPACITY)
-    canvas.add_solid(union(object_points(scene, scene.X_WO_start)), START)
+    canvas.add_solid(union(goal_points(scene)), REGION, REGION_OPACITY)
+    if scene.object:
+        canvas.add_solid(union(object_points(scene, scene.X_WO_start)), START)
 
 
 def directions(scene: Scene) -> Directions:
     """From where to look at it."""
     return FROM_ABOVE if scene.robot.is_planar else around()
-
-
-def region_points(scene: Scene) -> np.ndarray:
-    size = np.maximum(scene.region_max_m - scene.region_min_m, SMALLEST_REGION_M)
-    return Box(size).points() + (scene.region_min_m + scene.region_max_m) / 2
 
 
 def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch]:
@@ -74,22 +78,24 @@ def _add_motion(canvas: Canvas, scene: Scene, motion: Motion) -> list[Patch]:
     for moment, color, opacity in ((0, START, PICK_OPACITY), (last // 2, MIDDLE, MIDDLE_OPACITY)):
         if moved := robot_points(scene, motion, moment, unless_as_at=last):
             canvas.add_screen(union(moved), color, opacity)
-    for moment in np.linspace(0, last, GHOSTS + 2).round().astype(int)[1:-1]:
-        canvas.add_solid(union(object_points(scene, motion.object[moment])), TRACE, WAY_OPACITY)
-    canvas.add_solid(union(object_points(scene, motion.object[last])), GOAL)
+    if scene.object:
+        for moment in np.linspace(0, last, GHOSTS + 2).round().astype(int)[1:-1]:
+            canvas.add_solid(union(object_points(scene, motion.object[moment])), TRACE, WAY_OPACITY)
+        canvas.add_solid(union(object_points(scene, motion.object[last])), GOAL)
+    at_goal = [Patch(color=GOAL, label="object at the place")] if scene.object else []
     return [
-        Patch(color=GOAL, label="object at the place"),
-        Patch(color=TRACE, label="object on its way"),
-        Patch(color=START, alpha=PICK_OPACITY, label="robot at the pick"),
+        *at_goal,
+        Patch(color=TRACE, label=f"{scene.words.subject} on its way"),
+        Patch(color=START, alpha=PICK_OPACITY, label=f"robot at the {scene.words.first}"),
         Patch(color=MIDDLE, alpha=0.4, label="robot midway"),
-        Patch(color=GOAL, alpha=PLACE_OPACITY, label="robot at the place"),
+        Patch(color=GOAL, alpha=PLACE_OPACITY, label=f"robot at the {scene.words.last}"),
     ]
 
 
 def subject(scene: Scene, motion: Motion, moments: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
     """What has to be inside the picture, and what of it should not hide behind obstacles."""
     ends = [*object_points(scene, motion.object[0]), *object_points(scene, motion.object[-1])]
-    way = np.concatenate([motion.object[:, :3, 3], region_points(scene), *ends])
+    way = np.concatenate([motion.object[:, :3, 3], *goal_points(scene), *ends])
     robot = [points for moment in moments for points in robot_points(scene, motion, moment)]
     moving = np.concatenate([*robot, way])
     # A floor is there to be seen, not to be seen whole.

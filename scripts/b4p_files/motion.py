@@ -29,15 +29,19 @@ def resample(path: np.ndarray, count: int) -> np.ndarray:
 
 
 def replay(scene: Scene, result: Result, count: int) -> Motion:
-    links = scene.robot.link_poses(resample(result.path, count), result.opening_m, scene.X_WB)
+    opening_m = scene.robot.max_opening_m if result.opening_m is None else result.opening_m
+    links = scene.robot.link_poses(resample(result.path, count), opening_m, scene.X_WB)
     tcp = links[scene.robot.tcp_link]
     return Motion(links, tcp, tcp @ np.linalg.inv(result.X_OT))
 
 
 def rest(scene: Scene) -> Motion:
-    """One moment: the robot in the middle of its joint limits, the object where it starts."""
-    links = scene.robot.link_poses(scene.robot.middle[None], 0.0, scene.X_WB)
-    return Motion(links, links[scene.robot.tcp_link], scene.X_WO_start[None])
+    """One moment: the robot in the middle of its joint limits, the object where it starts; or the robot at its
+    start with an open hand."""
+    q, opening_m = (scene.q_start, scene.robot.max_opening_m) if scene.reaching else (scene.robot.middle, 0.0)
+    links = scene.robot.link_poses(q[None], opening_m, scene.X_WB)
+    tcp = links[scene.robot.tcp_link]
+    return Motion(links, tcp, tcp if scene.reaching else scene.X_WO_start[None])
 
 
 def robot_points(
@@ -66,13 +70,18 @@ def object_points(scene: Scene, X_WO: np.ndarray) -> list[np.ndarray]:
     return [transform(X_WO @ placed.X_BS, placed.shape.points()) for placed in scene.object]
 
 
+def goal_points(scene: Scene) -> list[np.ndarray]:
+    return [transform(placed.X_BS, placed.shape.points()) for placed in scene.goals]
+
+
 def obstacle_points(scene: Scene) -> list[np.ndarray]:
     return [transform(placed.X_BS, placed.shape.points()) for placed in scene.obstacles.values()]
 
 
 def motion_title(scene: Scene, result: Result | None) -> str:
     if result is None:
-        return f"{scene.name}: {scene.robot.file.stem} and {scene.object_name}"
+        subject = scene.object_name or f"{len(scene.goals)} grasp{'s' * (len(scene.goals) != 1)}"
+        return f"{scene.name}: {scene.robot.file.stem} and {subject}"
     threads = f"{result.threads} thread{'s' * (result.threads != 1)}"
     query = f"{scene.name}: {result.planner}, seed {result.seed}, {threads}"
     if len(result.path) == 0:

@@ -26,8 +26,8 @@ class Result:
     verified: bool
     planning_time_s: float
     grasp_id: int
-    X_OT: Pose
-    opening_m: float
+    X_OT: Pose  # of an empty hand the identity: it carries the TCP itself
+    opening_m: float | None  # None: as far as it goes
     X_WO_place: Pose
     joint_names: list[str]
     path: np.ndarray  # one way-point a row
@@ -60,7 +60,7 @@ def _finite(name: str, numbers: np.ndarray) -> np.ndarray:
 def read_result(file: Path) -> Result:
     with reading(file, "result file"):
         document = _load(file)
-        grasp = document["grasp"]
+        hand = _empty_hand(document) if "X_WT_reached" in document else _carrying_hand(document)
         names = document["joint_names"]
         path = np.array(document["path"], float)
         return Result(
@@ -74,12 +74,24 @@ def read_result(file: Path) -> Result:
             verified=bool(document["verification"]["passed"]),
             planning_time_s=float(document["planning_time_s"]),
             grasp_id=int(document["grasp_id"]),
-            X_OT=_finite("grasp.X_OT", pose_from(grasp["X_OT"])),
-            opening_m=float(grasp["opening_m"]),
-            X_WO_place=_finite("X_WO_place", pose_from(document["X_WO_place"])),
+            **hand,
             joint_names=names,
             path=_finite("path", path.reshape(len(path), len(names))),
         )
+
+
+def _carrying_hand(document: dict) -> dict:
+    grasp = document["grasp"]
+    return {
+        "X_OT": _finite("grasp.X_OT", pose_from(grasp["X_OT"])),
+        "opening_m": float(grasp["opening_m"]),
+        "X_WO_place": _finite("X_WO_place", pose_from(document["X_WO_place"])),
+    }
+
+
+def _empty_hand(document: dict) -> dict:
+    X_WT = _finite("X_WT_reached", pose_from(document["X_WT_reached"]))
+    return {"X_OT": np.eye(4), "opening_m": None, "X_WO_place": X_WT}
 
 
 def read_forests(file: Path) -> Forests:

@@ -52,6 +52,7 @@ class Robot:
     joints: list[Joint]
     shapes: dict[str, list[PlacedShape]]  # of each link
     root_link: str
+    max_opening_m: float  # of the gripper
 
     @property
     def is_planar(self) -> bool:
@@ -121,7 +122,7 @@ def read_robot(file: Path) -> Robot:
         unknown = set(names[0]) - {joint.name for joint in joints}
         if unknown or names[1] not in shapes:
             raise FileError(file, f"{', '.join(unknown) or names[1]} is not in {urdf}")
-    return Robot(file, *names, joints, shapes, root_link)
+    return Robot(file, *names, joints, shapes, root_link, float(gripper["max_opening_m"]))
 
 
 def _numbers(element: ET.Element | None, attribute: str, default: Sequence[float]) -> np.ndarray:

@@ -45,9 +45,9 @@ TEST(Preflight, SaysWhatTheObjectTouches) {
 
 TEST(Preflight, HoldsTheStartPoseToTheStatedClearance) {
   Scene maze = loadScene("maze");
-  maze.contact_clearance_m = 0.1;
+  maze.pickPlace().contact_clearance_m = 0.1;
   EXPECT_NO_THROW(preflight(maze));
-  maze.contact_clearance_m = 1.0;  // the room is 1.5 m wide
+  maze.pickPlace().contact_clearance_m = 1.0;  // the room is 1.5 m wide
   try {
     preflight(maze);
     FAIL() << "accepted";

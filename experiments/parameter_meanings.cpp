@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/planners.h"
+#include "planners/parallel_planner.h"
+#include "planners/reach/reach_planner.h"
+
+namespace b4p {
+namespace {
+
+using Meanings = std::map<std::string, std::string>;
+
+const Meanings kOfParallelPlanners{
+    {"threads", "parallel workers (count); set by --threads"},
+    {"paper", "1: the algorithm as printed; set by the planner's name"},
+    {"pick_roots", "b4p-paper: pick trees (count)"},
+    {"place_roots", "b4p-paper: place trees (count)"},
+    {"relaxed", "1: trees of different grasps are joined; 0: only those of equal grasps"},
+    {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
+    {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
+    {"slice",
+     "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},
+    {"root_attempts",
+     "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},
+    {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"},
+    {"placement_attempts", "placements without a place root after which a grasp is given up (count)"},
+    {"redraw", "0: a grasp without a place root is kept; 1: given up after placement_attempts"},
+    {"restart_s", "time after which the trees are dropped for another grasp (s)"},
+    {"restart_iterations",
+     "> 0: drops all trees after so many steps of all threads (iterations); b4p: paper mode only"},
+    {"growth", "each slice is so many times the one before (factor)"}};
+
+const Meanings kOfReachPlanners{
+    {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
+    {"steer_probability", "share of the iterations that steer the TCP to a grasp, the others grow randomly"},
+    {"weighted_grasps", "1: near grasps are steered to more often; 0: all equally often"},
+    {"cartesian_step", "longest step of the TCP while steering (m)"},
+    {"steering_steps", "steps after which steering gives up (count)"},
+    {"orientation_distance", "farther from the grasp only its position counts (m)"},
+    {"scaled_metric", "1: nearest nodes by joints in shares of their range; 0: by joint distance"},
+    {"ik_attempts", "random seeds of inverse kinematics per grasp and turn (count)"},
+    {"iterations", "of the search to a configuration before its grasp is dropped (count)"},
+    {"goal_bias", "share of the iterations that grow to goal configurations"},
+    {"ik_probability", "share of the iterations that look for a further goal configuration"}};
+
+std::string lookedUp(const Meanings& meanings, const std::string& name) {
+  const auto found = meanings.find(name);
+  return found == meanings.end() ? "" : found->second;
+}
+
+}  // namespace
+
+std::string parameterMeaning(const ompl::base::Planner& planner, const std::string& name) {
+  if (dynamic_cast<const ParallelPlanner*>(&planner) != nullptr) return lookedUp(kOfParallelPlanners, name);
+  if (dynamic_cast<const ReachPlanner*>(&planner) != nullptr) return lookedUp(kOfReachPlanners, name);
+  return "";
+}
+
+}  // namespace b4p
