@@ -19,6 +19,10 @@ constexpr double kReach_m = 0.808;
 /// A base that is moved to where the arm reaches comes no nearer than this share of the way: in confined
 /// places it is the outstretched arm that fits.
 constexpr double kNearestShare = 0.9;
+/// An attempt goes on to other values of joint 7 until an arm has an answer.
+constexpr int kTries = 8;
+/// Steps of this share of a range never come near to where they have been (the golden section).
+constexpr double kEvenStep = 0.6180339887498949;
 
 /// A Panda and what carries it.
 struct SlidingPanda {
@@ -76,36 +80,47 @@ class SlidingPandaInverseKinematics : public InverseKinematics {
 
  protected:
   bool attempt(const Eigen::Isometry3d& X_WT, const Eigen::VectorXd& seed, Eigen::VectorXd& q) override {
-    Eigen::Isometry3d X_W7 = X_WT * panda_.arm.X_T7;
-    if (!placeBase(X_W7.translation() - p_WShoulder_, seed, q)) return false;
-    for (int i = 0; i < 2; ++i)
-      X_W7.translation() -= q[panda_.base_index[static_cast<std::size_t>(i)]] * panda_.directions_W.col(i);
-    const int last = panda_.arm.q_index[6];
-    const PandaArm::Postures postures =
-        panda_.arm.postures(panda_.arm.X_SW * X_W7, limits().bringInside(last, seed[last]));
-    return chooseNearest(postures, seed, q);
-  }
-
- private:
-  /// @param p_Shoulder7  frame 7 seen from the shoulder with the base at 0, in world axes
-  /// @return false when it is out of reach wherever the base stands
-  bool placeBase(const Eigen::Vector3d& p_Shoulder7, const Eigen::VectorXd& seed, Eigen::VectorXd& q) const {
+    const Eigen::Isometry3d X_W7 = X_WT * panda_.arm.X_T7;
+    const Eigen::Vector3d p_Shoulder7 = X_W7.translation() - p_WShoulder_;
     const Eigen::Vector2d under = panda_.directions_W.transpose() * p_Shoulder7;
     const double squared_room =
         kReach_m * kReach_m - (p_Shoulder7 - panda_.directions_W * under).squaredNorm();
     if (!(squared_room > 0.0)) return false;
-    Eigen::Vector2d aside;
-    for (int i = 0; i < 2; ++i) aside[i] = seed[panda_.base_index[static_cast<std::size_t>(i)]] - under[i];
-    const double distance = aside.norm(), room = std::sqrt(squared_room);
-    if (distance > room) {
-      const double share = std::fmod(distance, room) / room;
-      aside *= room * (kNearestShare + (1.0 - kNearestShare) * share) / distance;
+    const int last = panda_.arm.q_index[6];
+    const double range = panda_.arm.upper[6] - panda_.arm.lower[6];
+    placeBase(under + moveWithinReach(baseOf(seed) - under, std::sqrt(squared_room)), q);
+    double q7 = limits().bringInside(last, seed[last]);
+    for (int i = 0; i < kTries; ++i) {
+      if (chooseNearest(posturesAt(X_W7, q, q7), seed, q)) return true;
+      q7 += kEvenStep * range;
+      if (q7 > panda_.arm.upper[6]) q7 -= range;
     }
-    for (int i = 0; i < 2; ++i) {
-      const int j = panda_.base_index[static_cast<std::size_t>(i)];
-      q[j] = limits().bringInside(j, under[i] + aside[i]);
+    return false;
+  }
+
+ private:
+  Eigen::Vector2d baseOf(const Eigen::VectorXd& q) const {
+    return {q[panda_.base_index[0]], q[panda_.base_index[1]]};
+  }
+
+  void placeBase(const Eigen::Vector2d& place, Eigen::VectorXd& q) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int j = panda_.base_index[i];
+      q[j] = limits().bringInside(j, place[static_cast<Eigen::Index>(i)]);
     }
-    return true;
+  }
+
+  /// Moves a base that is farther from the place under the target than `room` to where the arm reaches.
+  static Eigen::Vector2d moveWithinReach(const Eigen::Vector2d& aside, double room) {
+    const double distance = aside.norm();
+    if (distance <= room) return aside;
+    const double share = std::fmod(distance, room) / room;
+    return aside * (room * (kNearestShare + (1.0 - kNearestShare) * share) / distance);
+  }
+
+  PandaArm::Postures posturesAt(Eigen::Isometry3d X_W7, const Eigen::VectorXd& q, double q7) const {
+    X_W7.translation() -= panda_.directions_W * baseOf(q);
+    return panda_.arm.postures(panda_.arm.X_SW * X_W7, q7);
   }
 
   bool chooseNearest(const PandaArm::Postures& postures, const Eigen::VectorXd& seed,

@@ -8,8 +8,9 @@
 namespace b4p {
 
 /// Inverse kinematics of a Franka Panda on a base that slides along two perpendicular directions. An attempt
-/// takes base and joint 7 from the seed, a base farther from the target than the arm reaches moved towards
-/// it, and answers with the analytic posture (panda_inverse_kinematics.h) nearest to the seed.
+/// takes the base from the seed, moved towards the target where the arm does not reach from there, and joint
+/// 7 from the seed and then from values spread evenly over its limits, until there is an analytic posture
+/// (panda_inverse_kinematics.h); the answer is the one nearest to the seed.
 ///
 /// Null unless the robot's chain is two prismatic joints at a right angle, to 1e-9 rad, and then a Panda's,
 /// as makePandaInverseKinematics() takes it.
