@@ -4,7 +4,7 @@
 import json
 from dataclasses import dataclass
 from enum import Enum
-from math import inf
+from math import inf, isfinite, nan
 from pathlib import Path
 
 from b4p_files.errors import FileError, reading
@@ -34,6 +34,8 @@ class Record:
     time_limit_s: float
     check_limit: int | None
     build: dict[str, str]
+    tcp_path_m: float | None = None  # None: no path, or a folder that does not say
+    joint_path: float | None = None
 
     @property
     def group(self) -> str:
@@ -90,10 +92,18 @@ def _record(line: dict) -> Record:
         time_limit_s=float(line["time_limit_s"]),
         check_limit=None if line["check_limit"] is None else int(line["check_limit"]),
         build=dict(line["build"]),
+        tcp_path_m=_column(line, "tcp path length REAL"),
+        joint_path=_column(line, "solution length REAL"),
     )
     if not record.time_limit_s > 0 or (record.check_limit is not None and record.check_limit < 1):
         raise ValueError("a limit that is not positive")
     return record
+
+
+def _column(line: dict, name: str) -> float | None:
+    """A finite number that OMPL or b4p recorded."""
+    value = float(line.get("ompl", {}).get("columns", {}).get(name) or nan)
+    return value if isfinite(value) else None
 
 
 def planned_runs(folder: Path) -> dict[str, int]:

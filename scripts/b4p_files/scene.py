@@ -29,7 +29,7 @@ class Words:
 
 
 PICK_AND_PLACE = Words("pick", "place", "object", "placement region (object's origin)")
-REACHING = Words("start", "grasp", "hand", "grasps (approach of the TCP)")
+REACHING = Words("start", "grasp", "hand", "grasps (TCP)")
 
 
 @dataclass

@@ -236,5 +236,29 @@ TEST(Command, InterruptedBenchmarkKeepsFinishedRuns) {
     EXPECT_EQ(file.find(".part"), std::string::npos) << file;
 }
 
+TEST(Command, PlansAndVerifiesReaching) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "r.json";
+  const CommandRun run = runB4p("plan table/above_2 --planner ik-rrt --time-limit-s 30 --out " + file);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(readResult(file).X_WT_reached);
+  EXPECT_EQ(runB4p("verify " + file).exit_code, 0);
+  writeText(file, std::regex_replace(readFile(file), std::regex("-0.760123541"), "-0.760123542"));
+  EXPECT_EQ(runB4p("verify " + file).exit_code, 3);
+}
+
+TEST(Command, RefusesWhatReachingHasNot) {
+  const TemporaryFolder folder;
+  for (const std::string command :
+       {"certify table/above_1 --out ", "simulate table/above_1 --out ",
+        "plan table/above_1 --planner rrt-shared --out ", "plan maze --planner jplus-rrt --out "}) {
+    const CommandRun run = runB4p(command + (folder / "out"));
+    EXPECT_EQ(run.exit_code, 2) << command;
+    EXPECT_EQ(run.errorLines(), 1) << run.err;
+    EXPECT_THAT(run.err, ::testing::AnyOf(HasSubstr("reach"), HasSubstr("pick and place")));
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
 }  // namespace
 }  // namespace b4p::test

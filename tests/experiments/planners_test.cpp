@@ -47,12 +47,20 @@ TEST_F(Planners, PaperModeIsAPlannerOfItsOwn) {
 }
 
 TEST_F(Planners, EveryParameterOfThisPackagesPlannersHasAMeaning) {
-  for (const char* name : {"b4p", "rrt-individual", "rrt-shared", "rrt-restart"}) {
+  for (const char* name :
+       {"b4p", "rrt-individual", "rrt-shared", "rrt-restart", "jplus-rrt", "ik-rrt", "bik-rrt"}) {
     const auto planner = make(name, {});
     for (const auto& entry : planner->params().getParams())
       EXPECT_NE(parameterMeaning(*planner, entry.first), "") << name << ' ' << entry.first;
   }
   EXPECT_EQ(parameterMeaning(*make("rrtconnect", {}), "range"), "");
+}
+
+TEST_F(Planners, AreMadeForTasks) {
+  EXPECT_EQ(catalogue_.namesFor(TaskKind::kPickPlace),
+            "b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect");
+  EXPECT_EQ(catalogue_.namesFor(TaskKind::kReach),
+            "b4p, rrtconnect, jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar");
 }
 
 TEST_F(Planners, RefuseWhatTheyDoNotTake) {

@@ -77,6 +77,20 @@ class ResultTest : public testing::Test {
   std::string good_ = (writeResult(file_, test::gantryResult()), readText(file_));
 };
 
+TEST_F(ResultTest, AReachedGraspStandsInPlaceOfAHeldOne) {
+  PlanResult result = awkwardResult();
+  result.X_WT_reached = result.grasp.X_OT;
+  writeResult(file_, result);
+  const PlanResult read = readResult(file_);
+  ASSERT_TRUE(read.X_WT_reached);
+  EXPECT_TRUE(sameBits(*read.X_WT_reached, *result.X_WT_reached));
+  EXPECT_EQ(read.path, result.path);
+  const std::string text = readText(file_);
+  EXPECT_EQ(text.find("X_WO_pick"), std::string::npos);
+  const auto key = text.find("\"joint_names\"");
+  expectRefused(std::string(text).insert(key, "\"X_WO_pick\": null, "), "X_WO_pick");
+}
+
 TEST_F(ResultTest, ReadsBackBitForBit) {
   const PlanResult written = awkwardResult();
   writeResult(file_, written);
