@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "experiments/fixtures.h"
+#include "experiments/problem.h"
 #include "experiments/verification/verifier.h"
 
 namespace b4p::test {
