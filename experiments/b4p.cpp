@@ -35,6 +35,7 @@ int runCommandLine(int argc, char** argv) {
   addSimulateCommand(app, run);
   addVerifyCommand(app, run);
   addGenerateCommand(app, run);
+  addImportCommand(app, run);
   addCertifyCommand(app, run);
   try {
     app.parse(argc, argv);

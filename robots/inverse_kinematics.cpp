@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "robots/panda_inverse_kinematics.h"
+#include "robots/sliding_panda_inverse_kinematics.h"
 
 namespace b4p {
 namespace {
@@ -57,6 +58,7 @@ void InverseKinematics::drawSeed(std::mt19937_64& random, int, Eigen::VectorXd& 
 std::unique_ptr<InverseKinematics> makeInverseKinematics(std::shared_ptr<const Manipulator> robot,
                                                          IkTolerance tolerance) {
   if (auto analytic = makePandaInverseKinematics(robot, tolerance)) return analytic;
+  if (auto sliding = makeSlidingPandaInverseKinematics(robot, tolerance)) return sliding;
   return makeDampedInverseKinematics(std::move(robot), tolerance);
 }
 

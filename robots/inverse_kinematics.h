@@ -68,7 +68,8 @@ std::unique_ptr<InverseKinematics> makeDampedInverseKinematics(std::shared_ptr<c
                                                                IkTolerance tolerance = {});
 
 /// The fastest there is for the robot: the analytic one (panda_inverse_kinematics.h) for a Panda, whatever
-/// its base and its tool, else damped least squares.
+/// its base and its tool, also where it slides (sliding_panda_inverse_kinematics.h), else damped least
+/// squares.
 std::unique_ptr<InverseKinematics> makeInverseKinematics(std::shared_ptr<const Manipulator> robot,
                                                          IkTolerance tolerance = {});
 

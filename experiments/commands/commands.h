@@ -26,6 +26,7 @@ void addBenchCommand(CLI::App& app, Run& run);
 void addSimulateCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
 void addGenerateCommand(CLI::App& app, Run& run);
+void addImportCommand(CLI::App& app, Run& run);
 void addCertifyCommand(CLI::App& app, Run& run);
 
 }  // namespace b4p

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -63,6 +64,13 @@ FamilyRequest requestFrom(const Options& options) {
   return request;
 }
 
+/// A file's name as a scene beside it states it. In single quotes YAML takes all but these as they are.
+std::string quotedName(const std::filesystem::path& file) {
+  std::string quoted = "'";
+  for (const char c : file.filename().string()) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  return quoted + "'";
+}
+
 void listFamilies() {
   std::cout << "Families (parameters: standard value, range, values at difficulty 0 and 1; meaning)\n";
   for (const SceneFamily& family : sceneFamilies()) {
@@ -84,7 +92,17 @@ int generate(const Options& options) {
   if (options.family.empty()) throw InputError(kWhere, "FAMILY", "is missing; see b4p generate --list");
   if (options.out.empty()) throw InputError(kWhere, "--out", "is missing");
   const SceneFamily& family = findFamily(options.family, kWhere);
-  writeFile(options.out, generateScene(family, requestFrom(options), kWhere));
+  FamilyRequest request = requestFrom(options);
+  if (family.grasps != nullptr) {
+    const std::filesystem::path table = std::filesystem::path(options.out).replace_extension(".grasps.csv");
+    request.grasp_file = quotedName(table);
+    const std::string scene = generateScene(family, request, kWhere);
+    writeFile(table.string(), generateGrasps(family, request, kWhere));
+    std::cout << "grasps written to " << table.string() << "\n";
+    writeFile(options.out, scene);
+  } else {
+    writeFile(options.out, generateScene(family, request, kWhere));
+  }
   std::cout << "written to " << options.out << "\n";
   return kSolved;
 }
@@ -95,7 +113,7 @@ void addGenerateCommand(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("generate", "Write an instance of a family of scenes as a scene file");
   auto options = std::make_shared<Options>();
-  command->add_option("FAMILY", options->family, "maze, stick or grocery");
+  command->add_option("FAMILY", options->family, "maze, stick, grocery or confined");
   command->add_flag("--list", options->list, "Families with their parameters, units, ranges");
   command->add_option("--seed", options->seed, "Draws the instance; 0: the standard one")
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
+#include "experiments/floating_body.h"
 #include "experiments/reach/reach_preflight.h"
 #include "experiments/reach/reach_robot.h"
 
@@ -37,7 +38,9 @@ ReachProblem::ReachProblem(const Scene& of_scene, const ReachTask& of_task) {
   addPlanningParts(nullptr);
   // Steps that planners derive from the space's extent are those of joint space alone.
   space->setGraspDistance(0.0);
-  goal = std::make_shared<ReachGoal>(si, std::make_shared<ManipulatorReachRobot>(robot), targetsOf(of_task));
+  const auto hand = FloatingBody::makeChecker(checker->problem(), FloatingBody::Parts::kGripper);
+  goal = std::make_shared<ReachGoal>(si, std::make_shared<ManipulatorReachRobot>(robot, hand),
+                                     targetsOf(of_task));
   setup->setGoal(goal);
   setup->setOptimizationObjective(anyPath(si));
 }

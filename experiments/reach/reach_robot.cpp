@@ -2,8 +2,10 @@
 #include "experiments/reach/reach_robot.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "experiments/floating_body.h"
 #include "planners/reach/jacobian_descent.h"
 #include "robots/kinematic_chain.h"
 
@@ -13,8 +15,11 @@ namespace {
 class ManipulatorReachContext : public ReachContext {
  public:
   ManipulatorReachContext(const std::shared_ptr<const Manipulator>& robot,
-                          std::unique_ptr<InverseKinematics> ik)
-      : robot_(robot), chain_(robot), ik_(std::move(ik)) {}
+                          std::unique_ptr<InverseKinematics> ik, const CollisionChecker* hand)
+      : robot_(robot), chain_(robot), ik_(std::move(ik)) {
+    if (hand != nullptr) hand_.emplace(*hand);
+    open_.opening_m = robot->description().max_opening_m;
+  }
 
   Eigen::Isometry3d tcpPose(const double* q) override { return chain_.tcpPose(q); }
   TcpJacobian jacobian(const double* q) override { return chain_.jacobian(q); }
@@ -27,7 +32,7 @@ class ManipulatorReachContext : public ReachContext {
       answer_ = randomConfiguration(random);
       found = descendTo(0, targets, *this, robot_->lower(), robot_->upper(), answer_);
     } else {
-      found = ik_->solve(target.X_WT, random, 1, answer_);
+      found = (!hand_ || hand_->isFree(target.X_WT, open_)) && ik_->solve(target.X_WT, random, 1, answer_);
     }
     if (found) std::copy_n(answer_.data(), answer_.size(), q);
     return found;
@@ -45,6 +50,8 @@ class ManipulatorReachContext : public ReachContext {
   KinematicChain chain_;
   std::unique_ptr<InverseKinematics> ik_;
   Eigen::VectorXd answer_;
+  std::optional<FloatingBody> hand_;
+  Grasp open_;
 };
 
 }  // namespace
@@ -57,10 +64,16 @@ ManipulatorReachRobot::ManipulatorReachRobot(std::shared_ptr<const Manipulator> 
 ManipulatorReachRobot::ManipulatorReachRobot(std::shared_ptr<const Manipulator> robot, IkFactory make_ik)
     : robot_(std::move(robot)), make_ik_(std::move(make_ik)) {}
 
+ManipulatorReachRobot::ManipulatorReachRobot(std::shared_ptr<const Manipulator> robot,
+                                             std::shared_ptr<const CollisionChecker> hand)
+    : ManipulatorReachRobot(std::move(robot)) {
+  hand_ = std::move(hand);
+}
+
 unsigned ManipulatorReachRobot::dof() const { return static_cast<unsigned>(robot_->dof()); }
 
 std::unique_ptr<ReachContext> ManipulatorReachRobot::makeContext() const {
-  return std::make_unique<ManipulatorReachContext>(robot_, make_ik_(robot_));
+  return std::make_unique<ManipulatorReachContext>(robot_, make_ik_(robot_), hand_.get());
 }
 
 }  // namespace b4p

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "experiments/scene_families/families.h"
 #include "experiments/scene_families/scene_text.h"
@@ -54,7 +55,8 @@ std::string generatedBlock(const SceneFamily& family, const FamilyRequest& reque
 }  // namespace
 
 const std::vector<SceneFamily>& sceneFamilies() {
-  static const std::vector<SceneFamily> families{mazeFamily(), stickFamily(), groceryFamily()};
+  static const std::vector<SceneFamily> families{mazeFamily(), stickFamily(), groceryFamily(),
+                                                 confinedFamily()};
   return families;
 }
 
@@ -88,9 +90,22 @@ FamilyValues familyValues(const SceneFamily& family, const FamilyRequest& reques
 
 std::string generateScene(const SceneFamily& family, const FamilyRequest& request, const std::string& where) {
   const FamilyValues values = familyValues(family, request, where);
+  const std::string name = sceneName(family, request);
+  const std::string table = request.grasp_file.empty() ? name + ".grasps.csv" : request.grasp_file;
   return "# SPDX-License-Identifier: BSD-3-Clause\n" + commentLines(family.description) +
-         "schema: 1\nname: " + sceneName(family, request) + "\n" + family.settings +
-         generatedBlock(family, request, values) + family.body(values, request.seed);
+         "schema: 1\nname: " + name + "\n" + family.settings + generatedBlock(family, request, values) +
+         family.body(values, request.seed) +
+         (family.grasps == nullptr ? "" : "  grasps: {file: " + table + "}\n");
+}
+
+std::string generateGrasps(const SceneFamily& family, const FamilyRequest& request,
+                           const std::string& where) {
+  const FamilyValues values = familyValues(family, request, where);
+  try {
+    return family.grasps(values, request.seed);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(where, "grasps", error.what());
+  }
 }
 
 }  // namespace b4p

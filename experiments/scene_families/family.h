@@ -26,6 +26,7 @@ struct FamilyRequest {
   double difficulty = 0.5;  ///< 0 ... 1, sets the parameters that are not in `set`
   FamilyValues set;
   std::string scene_name;  ///< "": made from family, seed and difficulty
+  std::string grasp_file;  ///< how the scene names its table of grasps; "": SCENE_NAME.grasps.csv
 };
 
 /// A kind of scene of which any number of instances can be made.
@@ -35,11 +36,14 @@ struct SceneFamily {
   std::vector<FamilyParameter> parameters;
   /// The text below the header: obstacles, object, grasps, placement. Same values and seed, same bytes.
   std::string (*body)(const FamilyValues& values, std::uint64_t seed) = nullptr;
+  /// The table of grasps that stands beside the scene (readGraspTable()); nullptr for families without one.
+  /// Where there is one, `body` ends inside the block `reach:`.
+  std::string (*grasps)(const FamilyValues& values, std::uint64_t seed) = nullptr;
   /// Robot and settings that all instances share, as lines of the scene file.
   std::string settings;
 };
 
-/// The families there are: maze, stick, grocery.
+/// The families there are: maze, stick, grocery, confined.
 const std::vector<SceneFamily>& sceneFamilies();
 
 /// @param where  named in errors
@@ -55,5 +59,9 @@ FamilyValues familyValues(const SceneFamily& family, const FamilyRequest& reques
 /// impossible task.
 /// @throws InputError as familyValues() does
 std::string generateScene(const SceneFamily& family, const FamilyRequest& request, const std::string& where);
+
+/// The table of grasps of an instance, of a family that has them. Same request, same bytes.
+/// @throws InputError as familyValues() does, and where so many grasps are not found
+std::string generateGrasps(const SceneFamily& family, const FamilyRequest& request, const std::string& where);
 
 }  // namespace b4p

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <random>
 
+#include "experiments/samplers/unit_draw.h"
+
 namespace b4p {
 
 /// Draws by which the instances of a family differ, the same on every platform. With seed 0 nothing is drawn:
@@ -16,11 +18,7 @@ class Jitter {
   bool standard() const { return standard_; }
 
   /// Uniform in [0, 1).
-  double unit() {
-    constexpr int kDropped = 11;  // of 64 bits, to keep the 53 that a double holds
-    constexpr double kScale = 1.0 / 9007199254740992.0;
-    return static_cast<double>(random_() >> kDropped) * kScale;
-  }
+  double unit() { return unitDraw(random_); }
 
   /// `value`, moved by up to `most_m` and then a whole number of millimetres.
   double around(double value, double most_m) {

@@ -38,7 +38,10 @@ void DefaultWorker::endTurn(bool fruitful) {
 
 // New forests are worth a turn of their own once both their sides have a root.
 void DefaultWorker::drawRoots() {
-  if (search().region() == nullptr) return endTurn(search().plantGoal());
+  if (search().region() == nullptr) {
+    if (search().plantGoal()) endTurn(true);
+    return;
+  }
   const Pick pick = drawPick();
   if (pick.grasp == kNoGrasp) return;
   const bool placed = placeTreeFor(region().samplePlacement(), pick.grasp) != nullptr;

@@ -25,7 +25,8 @@ struct B4PParameters {
   unsigned slice = 100;  ///< default: iterations a grasp's forests grow before another grasp's turn, >= 1
   unsigned retreat_steps =
       8;  ///< default: nodes in a row on each straight way out of a root; 0: no such ways
-  unsigned root_attempts = 32;  ///< default: placements asked for (Eq. 3) per turn of root drawing, >= 1
+  unsigned root_attempts = 32;  ///< default: placements asked for (Eq. 3), or goal states of a problem
+                                ///< without grasps, per turn of root drawing, >= 1
   unsigned repair_iterations =
       300;  ///< iterations of local replanning per colliding run before a repair fails, >= 1
 

@@ -19,6 +19,7 @@
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
 
+#include "experiments/floating_body.h"
 #include "experiments/scene.h"
 #include "experiments/scene_motion_checker.h"
 #include "planners/b4p/b4p_planner.h"
@@ -60,6 +61,34 @@ TEST(ManipulatorReachRobot, KinematicsAreThoseOfTheModel) {
         robot->tcpPose(to.data()).translation() - robot->tcpPose(q.data()).translation();
     EXPECT_LT((context->jacobian(q.data()).topRows<3>() * dq - moved).norm(), 1e-10);
   }
+}
+
+TEST(ManipulatorReachRobot, AnswersNothingWhereTheOpenHandCollidesAndTheSameElsewhere) {
+  const auto robot = panda();
+  std::mt19937_64 random(4);
+  const Eigen::VectorXd at = (Eigen::VectorXd(7) << 0, -0.785, 0, -2.356, 0, 1.571, 0.785).finished();
+  const Eigen::Isometry3d X_WT = robot->tcpPose(at.data());
+  CollisionProblem problem;
+  problem.robot = robot;
+  // Between the pads, as wide as the open gripper.
+  problem.obstacles = {{"post", {Box{{0.01, 0.09, 0.01}}, X_WT}}};
+  const ManipulatorReachRobot plain(robot);
+  const ManipulatorReachRobot looking(robot,
+                                      FloatingBody::makeChecker(problem, FloatingBody::Parts::kGripper));
+  const auto answers = [&](const ManipulatorReachRobot& of, const Eigen::Isometry3d& target) {
+    const auto context = of.makeContext();
+    std::mt19937_64 stream(5);
+    std::vector<std::vector<double>> all;
+    std::vector<double> q(7);
+    for (int i = 0; i < 50; ++i)
+      if (context->inverse({target, false}, stream, q.data())) all.push_back(q);
+    return all;
+  };
+  EXPECT_FALSE(answers(plain, X_WT).empty());
+  EXPECT_TRUE(answers(looking, X_WT).empty());
+  const Eigen::Isometry3d aside = X_WT * Eigen::Translation3d(0.1, 0, 0);
+  EXPECT_FALSE(answers(looking, aside).empty());
+  EXPECT_EQ(answers(looking, aside), answers(plain, aside));
 }
 
 TEST(ManipulatorReachRobot, AnswersOfInverseKinematicsReachTheTargetInsideTheLimits) {

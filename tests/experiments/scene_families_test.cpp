@@ -51,6 +51,14 @@ Scene loaded(const TemporaryFolder& folder, const std::string& text) {
   return loadScene(file);
 }
 
+/// Those that make tasks of pick and place. confined_test.cpp is about the other one.
+std::vector<SceneFamily> pickPlaceFamilies() {
+  std::vector<SceneFamily> families;
+  for (const SceneFamily& family : sceneFamilies())
+    if (family.grasps == nullptr) families.push_back(family);
+  return families;
+}
+
 constexpr double kSame = 1e-9;  // m, and entries of rotation matrices
 
 /// Numbers that say all about a shape of the kinds that families use.
@@ -93,25 +101,28 @@ void expectSame(const PlacementSource& a, const PlacementSource& b) {
 
 TEST(SceneFamilies, ShippedScenesAreTheStandardInstances) {
   const TemporaryFolder folder;
-  for (const SceneFamily& family : sceneFamilies()) {
+  for (const SceneFamily& family : pickPlaceFamilies()) {
     SCOPED_TRACE(family.name);
     const Scene shipped = loadScene(family.name);
     const Scene standard = loaded(folder, generated(family.name, {}));
+    const PickPlaceTask &standard_task = standard.pickPlace(), &shipped_task = shipped.pickPlace();
     EXPECT_EQ(standard.name, shipped.name);
     EXPECT_EQ(standard.robot.file, shipped.robot.file);
-    EXPECT_EQ(standard.object_name, shipped.object_name);
+    EXPECT_EQ(standard_task.object_name, shipped_task.object_name);
     EXPECT_EQ(standard.edge_step_m, shipped.edge_step_m);
-    EXPECT_EQ(standard.contact_clearance_m, shipped.contact_clearance_m);
+    EXPECT_EQ(standard_task.contact_clearance_m, shipped_task.contact_clearance_m);
     EXPECT_EQ(standard.budget_s, shipped.budget_s);
     ASSERT_EQ(standard.obstacles.size(), shipped.obstacles.size());
     for (std::size_t i = 0; i < shipped.obstacles.size(); ++i)
       expectSame(standard.obstacles[i].shape, shipped.obstacles[i].shape, shipped.obstacles[i].name);
-    ASSERT_EQ(standard.object.size(), shipped.object.size());
-    for (std::size_t i = 0; i < shipped.object.size(); ++i)
-      expectSame(standard.object[i], shipped.object[i], "piece " + std::to_string(i) + " of the object");
-    EXPECT_LT((standard.X_WO_start.matrix() - shipped.X_WO_start.matrix()).cwiseAbs().maxCoeff(), kSame);
-    expectSame(standard.grasps, shipped.grasps);
-    expectSame(standard.placement, shipped.placement);
+    ASSERT_EQ(standard_task.object.size(), shipped_task.object.size());
+    for (std::size_t i = 0; i < shipped_task.object.size(); ++i)
+      expectSame(standard_task.object[i], shipped_task.object[i],
+                 "piece " + std::to_string(i) + " of the object");
+    EXPECT_LT((standard_task.X_WO_start.matrix() - shipped_task.X_WO_start.matrix()).cwiseAbs().maxCoeff(),
+              kSame);
+    expectSame(standard_task.grasps, shipped_task.grasps);
+    expectSame(standard_task.placement, shipped_task.placement);
   }
 }
 
@@ -125,7 +136,7 @@ TEST(SceneFamilies, OneRequestGivesTheSameBytesAndAnotherSeedOthers) {
 
 TEST(SceneFamilies, FiveSeedsOfEachHavePicksAndReachablePlacements) {
   const TemporaryFolder folder;
-  for (const SceneFamily& family : sceneFamilies())
+  for (const SceneFamily& family : pickPlaceFamilies())
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const Scene scene = loaded(folder, generated(family.name, seeded(seed)));
       EXPECT_EQ(scene.name, family.name + "_" + std::to_string(seed));
@@ -150,7 +161,7 @@ TEST(SceneFamilies, DifficultyMovesParametersFromEasyToHard) {
 
 TEST(SceneFamilies, EndsOfEveryRangeLoad) {
   const TemporaryFolder folder;
-  for (const SceneFamily& family : sceneFamilies())
+  for (const SceneFamily& family : pickPlaceFamilies())
     for (const FamilyParameter& p : family.parameters)
       for (const double value : {p.low, p.high}) {
         const std::string text = generated(family.name, with(p.name, value));

@@ -30,6 +30,7 @@ void expectSameAsKdl(const std::shared_ptr<const Manipulator>& robot) {
 TEST(AlignedChain, AgreesWithKdlOnShippedRobots) {
   expectSameAsKdl(shippedRobot("panda", unevenPose()));
   expectSameAsKdl(shippedRobot("planar_gripper", unevenPose()));
+  expectSameAsKdl(shippedRobot("mobile_panda", unevenPose()));
 }
 
 TEST(AlignedChain, AgreesWithKdlOnAnyAxesAndOrder) {

@@ -79,7 +79,7 @@ TEST_P(KinematicChainOf, ChainsOfSeveralThreadsDoNotDisturbEachOther) {
   for (const int count : wrong) EXPECT_EQ(count, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(ShippedRobots, KinematicChainOf, testing::Values("panda", "planar_gripper"),
+INSTANTIATE_TEST_SUITE_P(ShippedRobots, KinematicChainOf, testing::Values("panda", "planar_gripper", "mobile_panda"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 // The order of q is the description's, which need not be the order along the arm.

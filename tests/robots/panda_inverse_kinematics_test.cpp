@@ -188,6 +188,7 @@ TEST_F(PandaRecognition, RefusesSmallChangesOfGeometry) {
 TEST_F(PandaRecognition, RefusesOtherRobots) {
   EXPECT_EQ(makePandaInverseKinematics(shippedRobot("planar_gripper")), nullptr);
   EXPECT_EQ(makePandaInverseKinematics(pandaOnCarriage()), nullptr);
+  EXPECT_EQ(makePandaInverseKinematics(shippedRobot("mobile_panda")), nullptr);
   joint("panda_joint3").type = JointType::kPrismatic;
   EXPECT_FALSE(isPanda(model_, description_));
 }

@@ -135,5 +135,50 @@ TEST(PlanarGripper, BarTouchesTheBodysFrontInThePlane) {
   EXPECT_NEAR(planar->tcpPose(q).translation().x(), bar.x() + bar_size.x() / 2, 1e-12);
 }
 
+TEST(MobilePanda, IsThePandaMovedByItsBaseWithALongerTool) {
+  const auto panda = shippedRobot("panda", unevenPose());
+  const auto mobile = shippedRobot("mobile_panda", unevenPose());
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 100; ++i) {
+    Eigen::VectorXd q(9);
+    q << 0.3 - 0.01 * i, 0.02 * i - 0.9, randomConfiguration(*panda, random);
+    const Eigen::Vector3d moved = unevenPose().linear() * Eigen::Vector3d(q[1], q[0], 0.0);
+    const Eigen::Isometry3d expected = Eigen::Translation3d(moved) * panda->tcpPose(q.data() + 2) *
+                                       Eigen::Translation3d(0.0, 0.0, 0.105 - 0.1034);
+    EXPECT_TRUE(mobile->tcpPose(q.data()).isApprox(expected, 1e-12));
+  }
+}
+
+TEST(MobilePanda, HasThePublishedLimits) {
+  const auto mobile = shippedRobot("mobile_panda");
+  Eigen::VectorXd lower(9), upper(9);
+  lower << -1, -1, -2.9671, -1.8326, -2.9671, -3.1416, -2.9671, -0.0873, -2.9671;
+  upper << 1, 1, 2.9671, 1.8326, 2.9671, 0, 2.9671, 3.8223, 2.9671;
+  ASSERT_EQ(mobile->dof(), 9);
+  EXPECT_EQ(mobile->lower(), lower);
+  EXPECT_EQ(mobile->upper(), upper);
+}
+
+TEST(MobilePanda, StandsAboveItsFootAndHoldsTheCapsuleOfLinkZeroAboveIt) {
+  const auto panda = shippedRobot("panda");
+  const auto mobile = shippedRobot("mobile_panda");
+  const PlacedShape& box = linkNamed(*mobile, "panda_link0").shapes.front();
+  const PlacedShape& capsule = linkNamed(*panda, "panda_link0").shapes.front();
+  const Eigen::Vector3d half = std::get<Box>(box.shape).size / 2.0, middle = box.X_BS.translation();
+  EXPECT_NEAR(middle.z() - half.z(), 0.0, 1e-12);
+  const double length = std::get<Capsule>(capsule.shape).length,
+               radius = std::get<Capsule>(capsule.shape).radius;
+  for (const double end : {-0.5, 0.5}) {
+    const Eigen::Vector3d p = capsule.X_BS * Eigen::Vector3d(0, 0, end * length);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(p[axis] + radius, middle[axis] + half[axis] + 1e-9);
+      if (axis == 2) continue;
+      EXPECT_GE(p[axis] - radius, middle[axis] - half[axis] - 1e-9);
+    }
+  }
+  EXPECT_EQ(std::get<Box>(linkNamed(*mobile, "platform").shapes.front().shape).size,
+            Eigen::Vector3d(0.4, 0.4, 0.02));
+}
+
 }  // namespace
 }  // namespace b4p
