@@ -89,7 +89,7 @@ void copySubtree(const Manipulator& robot, int from, RobotModel& model, int onto
 }  // namespace
 
 std::shared_ptr<const CollisionChecker> FloatingBody::makeChecker(const CollisionProblem& problem,
-                                                                  Parts parts) {
+                                                                  Parts parts, const CollisionChecker& like) {
   RobotModel model;
   model.name = problem.robot->model().name;
   ManipulatorDescription description;
@@ -111,7 +111,7 @@ std::shared_ptr<const CollisionChecker> FloatingBody::makeChecker(const Collisio
   CollisionProblem floating = problem;
   floating.robot = std::make_shared<Manipulator>(std::move(model), std::move(description),
                                                  Eigen::Isometry3d::Identity(), "floating body");
-  return makeFclChecker(std::move(floating));
+  return like.sameKindFor(std::move(floating));
 }
 
 std::array<double, 6> FloatingBody::placedAt(const Eigen::Isometry3d& X_WT) const {

@@ -21,8 +21,9 @@ class FloatingBody {
     kObject,   ///< the held object alone
   };
 
-  /// The checker behind bodies of this kind; shared by all threads.
-  static std::shared_ptr<const CollisionChecker> makeChecker(const CollisionProblem& problem, Parts parts);
+  /// The checker behind such bodies, of the same kind as another; shared by all threads.
+  static std::shared_ptr<const CollisionChecker> makeChecker(const CollisionProblem& problem, Parts parts,
+                                                             const CollisionChecker& like);
 
   explicit FloatingBody(const CollisionChecker& checker)
       : context_(checker.makeContext()), robot_(checker.problem().robot) {}

@@ -17,15 +17,15 @@ namespace og = ompl::geometric;
 
 namespace {
 
-std::shared_ptr<const CollisionChecker> makeChecker(const Scene& scene,
-                                                    std::shared_ptr<const Manipulator> robot) {
+std::shared_ptr<const CollisionChecker> makeSceneChecker(const Scene& scene, CheckerKind kind,
+                                                         std::shared_ptr<const Manipulator> robot) {
   CollisionProblem problem;
   problem.robot = std::move(robot);
   problem.obstacles = scene.obstacles;
   problem.object = scene.object;
   problem.edge_step_m = scene.edge_step_m;
   try {
-    return makeFclChecker(std::move(problem));
+    return makeChecker(kind, std::move(problem));
   } catch (const std::invalid_argument& e) {
     throw InputError(scene.file, "", e.what());
   }
@@ -55,12 +55,12 @@ void addPlanningParts(Problem& problem) {
 
 }  // namespace
 
-Problem makeProblem(const Scene& scene) {
+Problem makeProblem(const Scene& scene, CheckerKind checker) {
   Problem problem;
   problem.scene = scene;
   problem.robot = std::make_shared<Manipulator>(loadUrdf(scene.robot.urdf_file), scene.robot.description,
                                                 scene.X_WB, scene.robot.file);
-  problem.checker = makeChecker(scene, problem.robot);
+  problem.checker = makeSceneChecker(scene, checker, problem.robot);
   problem.region = std::make_shared<SceneRegion>(scene, problem.checker);
   addPlanningParts(problem);
   return problem;

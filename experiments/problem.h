@@ -9,6 +9,7 @@
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/SimpleSetup.h>
 
+#include "experiments/checker_choice.h"
 #include "experiments/scene.h"
 #include "experiments/scene_motion_checker.h"
 #include "experiments/scene_region.h"
@@ -36,7 +37,7 @@ struct Problem {
 };
 
 /// @throws InputError when the robot's files are at fault
-Problem makeProblem(const Scene& scene);
+Problem makeProblem(const Scene& scene, CheckerKind checker = CheckerKind::kFast);
 
 /// The same task with no other grasps than these, numbered from 0. Shares robot and collision checker.
 Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps);
