@@ -5,6 +5,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(ompl REQUIRED) # no version: OMPL's version file refuses other majors
 find_package(Boost REQUIRED COMPONENTS serialization filesystem system) # libompl-dev 1.5 omits them
 find_package(fcl REQUIRED)
+find_package(hwy REQUIRED)
 find_package(orocos_kdl REQUIRED)
 find_package(urdfdom REQUIRED)
 find_package(assimp REQUIRED)

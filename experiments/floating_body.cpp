@@ -88,8 +88,7 @@ void copySubtree(const Manipulator& robot, int from, RobotModel& model, int onto
 
 }  // namespace
 
-std::shared_ptr<const CollisionChecker> FloatingBody::makeChecker(const CollisionProblem& problem,
-                                                                  Parts parts) {
+CollisionProblem FloatingBody::floating(const CollisionProblem& problem, Parts parts) {
   RobotModel model;
   model.name = problem.robot->model().name;
   ManipulatorDescription description;
@@ -108,10 +107,20 @@ std::shared_ptr<const CollisionChecker> FloatingBody::makeChecker(const Collisio
     copySubtree(*problem.robot, carried, model, last, description);
   }
   addTcp(model, last, X_LT);
-  CollisionProblem floating = problem;
-  floating.robot = std::make_shared<Manipulator>(std::move(model), std::move(description),
-                                                 Eigen::Isometry3d::Identity(), "floating body");
-  return makeFclChecker(std::move(floating));
+  CollisionProblem body = problem;
+  body.robot = std::make_shared<Manipulator>(std::move(model), std::move(description),
+                                             Eigen::Isometry3d::Identity(), "floating body");
+  return body;
+}
+
+std::shared_ptr<const CollisionChecker> FloatingBody::makeChecker(const CollisionProblem& problem,
+                                                                  Parts parts) {
+  return makeVectorChecker(floating(problem, parts));
+}
+
+std::shared_ptr<const CollisionChecker> FloatingBody::makeChecker(const CollisionProblem& problem,
+                                                                  Parts parts, const CollisionChecker& like) {
+  return like.sameKindFor(floating(problem, parts));
 }
 
 std::array<double, 6> FloatingBody::placedAt(const Eigen::Isometry3d& X_WT) const {

@@ -21,8 +21,12 @@ class FloatingBody {
     kObject,   ///< the held object alone
   };
 
-  /// The checker behind bodies of this kind; shared by all threads.
+  /// The checker behind such bodies, shared by all threads.
   static std::shared_ptr<const CollisionChecker> makeChecker(const CollisionProblem& problem, Parts parts);
+
+  /// The same, of the kind of another checker.
+  static std::shared_ptr<const CollisionChecker> makeChecker(const CollisionProblem& problem, Parts parts,
+                                                             const CollisionChecker& like);
 
   explicit FloatingBody(const CollisionChecker& checker)
       : context_(checker.makeContext()), robot_(checker.problem().robot) {}
@@ -34,6 +38,7 @@ class FloatingBody {
   std::string describeCollision(const Eigen::Isometry3d& X_WT, const Grasp& grasp);
 
  private:
+  static CollisionProblem floating(const CollisionProblem& problem, Parts parts);
   std::array<double, 6> placedAt(const Eigen::Isometry3d& X_WT) const;
 
   std::unique_ptr<CollisionContext> context_;

@@ -9,11 +9,13 @@
 
 namespace b4p {
 
-const JsonValue& JsonValue::requireKeys(std::initializer_list<const char*> keys) const {
+const JsonValue& JsonValue::requireKeys(std::initializer_list<const char*> keys,
+                                        std::initializer_list<const char*> optional) const {
   if (!value_.is_object()) fail("is not an object");
   for (const auto& item : value_.items()) {
     bool known = false;
-    for (const char* key : keys) known = known || item.key() == key;
+    for (const auto& list : {keys, optional})
+      for (const char* key : list) known = known || item.key() == key;
     if (!known) fail("unknown key '" + item.key() + "'");
   }
   for (const char* key : keys)

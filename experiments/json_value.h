@@ -23,14 +23,16 @@ class JsonValue {
   JsonValue(const std::string& file, std::string name, const Json& value)
       : file_(file), name_(std::move(name)), value_(value) {}
 
-  /// An object with exactly these keys.
-  const JsonValue& requireKeys(std::initializer_list<const char*> keys) const;
+  /// An object with exactly these keys, and of the optional ones any.
+  const JsonValue& requireKeys(std::initializer_list<const char*> keys,
+                               std::initializer_list<const char*> optional = {}) const;
 
   /// An object whose key `schema` is `version`.
   const JsonValue& requireSchema(int version) const;
 
   JsonValue operator[](const char* key) const;  ///< a key that is there
   bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
+  const std::string& file() const { return file_; }
   bool isNull() const { return value_.is_null(); }
 
   std::vector<JsonValue> items() const;  ///< of a list

@@ -28,18 +28,20 @@ ob::RealVectorBounds jointBounds(const Manipulator& robot) {
 /// Makes the problem of each kind of task.
 struct ProblemMaker {
   const Scene& scene;
+  CheckerKind checker;
 
   std::unique_ptr<PlanningProblem> operator()(const PickPlaceTask&) const {
-    return std::make_unique<Problem>(makeProblem(scene));
+    return std::make_unique<Problem>(makeProblem(scene, checker));
   }
   std::unique_ptr<PlanningProblem> operator()(const ReachTask& task) const {
-    return std::make_unique<ReachProblem>(scene, task);
+    return std::make_unique<ReachProblem>(scene, task, checker);
   }
 };
 
 }  // namespace
 
-void PlanningProblem::addWorld(const Scene& of_scene, const std::vector<PlacedShape>& object) {
+void PlanningProblem::addWorld(const Scene& of_scene, const std::vector<PlacedShape>& object,
+                               CheckerKind checker_kind) {
   scene = of_scene;
   robot = std::make_shared<Manipulator>(loadUrdf(scene.robot.urdf_file), scene.robot.description, scene.X_WB,
                                         scene.robot.file);
@@ -49,7 +51,7 @@ void PlanningProblem::addWorld(const Scene& of_scene, const std::vector<PlacedSh
   collision.object = object;
   collision.edge_step_m = scene.edge_step_m;
   try {
-    checker = makeFclChecker(std::move(collision));
+    checker = makeChecker(checker_kind, std::move(collision));
   } catch (const std::invalid_argument& e) {
     throw InputError(scene.file, "", e.what());
   }
@@ -64,8 +66,8 @@ void PlanningProblem::addPlanningParts(const std::shared_ptr<const SceneRegion>&
   pdef = setup->getProblemDefinition();
 }
 
-std::unique_ptr<PlanningProblem> makePlanningProblem(const Scene& scene) {
-  return std::visit(ProblemMaker{scene}, scene.task);
+std::unique_ptr<PlanningProblem> makePlanningProblem(const Scene& scene, CheckerKind checker) {
+  return std::visit(ProblemMaker{scene, checker}, scene.task);
 }
 
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint64_t stream) {

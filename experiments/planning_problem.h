@@ -7,6 +7,7 @@
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/geometric/SimpleSetup.h>
 
+#include "experiments/checker_choice.h"
 #include "experiments/result.h"
 #include "experiments/scene.h"
 #include "experiments/scene_motion_checker.h"
@@ -56,7 +57,7 @@ struct PlanningProblem {
   /// Scene, robot and collision checker.
   /// @param object  what the hand may carry, in its own frame
   /// @throws InputError when the robot's files are at fault
-  void addWorld(const Scene& of_scene, const std::vector<PlacedShape>& object);
+  void addWorld(const Scene& of_scene, const std::vector<PlacedShape>& object, CheckerKind checker_kind);
 
   /// All that planners need but the goal.
   /// @param region  knows the grasps of states; nullptr where nothing is ever held
@@ -65,7 +66,8 @@ struct PlanningProblem {
 
 /// The problem that a scene's task makes.
 /// @throws InputError when the robot's files are at fault
-std::unique_ptr<PlanningProblem> makePlanningProblem(const Scene& scene);
+std::unique_ptr<PlanningProblem> makePlanningProblem(const Scene& scene,
+                                                     CheckerKind checker = CheckerKind::kFast);
 
 /// A number derived from a seed and a stream number, good as the seed of another generator. Never 0; fits 32
 /// bits.

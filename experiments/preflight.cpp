@@ -23,7 +23,7 @@ void requireObjectClear(const Problem& problem) {
   const Scene& scene = problem.scene;
   CollisionProblem grown = problem.checker->problem();
   grown.padding_m = std::max(scene.edge_step_m / 2.0, scene.pickPlace().contact_clearance_m - kRounding_m);
-  FloatingBody object(*FloatingBody::makeChecker(grown, FloatingBody::Parts::kObject));
+  FloatingBody object(*FloatingBody::makeChecker(grown, FloatingBody::Parts::kObject, *problem.checker));
   const std::string collision = object.describeCollision(scene.pickPlace().X_WO_start, Grasp());
   if (!collision.empty())
     throw InputError(scene.file, "object.start",

@@ -32,9 +32,9 @@ void Problem::interpret(const ompl::geometric::PathGeometric& path, PlanResult& 
 
 void Problem::requireSolvable() const { requirePickAndPlaceSolvable(*this); }
 
-Problem makeProblem(const Scene& scene) {
+Problem makeProblem(const Scene& scene, CheckerKind checker) {
   Problem problem;
-  problem.addWorld(scene, scene.pickPlace().object);
+  problem.addWorld(scene, scene.pickPlace().object, checker);
   problem.addRegion(std::make_shared<SceneRegion>(scene, problem.checker));
   return problem;
 }

@@ -29,13 +29,13 @@ struct Problem : PlanningProblem {
   void requireSolvable() const override;
 
  private:
-  friend Problem makeProblem(const Scene& scene);
+  friend Problem makeProblem(const Scene& scene, CheckerKind checker);
   friend Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps);
   void addRegion(std::shared_ptr<const SceneRegion> of_region);
 };
 
 /// @throws InputError when the robot's files are at fault, or the scene's task is another
-Problem makeProblem(const Scene& scene);
+Problem makeProblem(const Scene& scene, CheckerKind checker = CheckerKind::kFast);
 
 /// The same task with no other grasps than these, numbered from 0. Shares robot and collision checker.
 Problem withGraspsOnly(const Problem& problem, std::vector<Grasp> grasps);

@@ -20,10 +20,11 @@ enum Stream : std::uint64_t { kOmplStream, kGoalStream, kStartStream };
 
 /// OMPL says, as an error, that seeding comes too late for those generators that exist already; those of this
 /// query do not yet.
-std::unique_ptr<PlanningProblem> makeSeededProblem(const Scene& scene, std::uint64_t seed) {
+std::unique_ptr<PlanningProblem> makeSeededProblem(const Scene& scene, CheckerKind checker,
+                                                   std::uint64_t seed) {
   ompl::msg::noOutputHandler();
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(derivedSeed(seed, kOmplStream)));
-  auto problem = makePlanningProblem(scene);
+  auto problem = makePlanningProblem(scene, checker);
   problem->seedGoal(derivedSeed(seed, kGoalStream));
   return problem;
 }
@@ -43,7 +44,9 @@ const PlannerKind& findFitting(const PlannerCatalogue& catalogue, const std::str
 
 Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCatalogue& catalogue,
              const QuerySettings& settings, const std::string& where)
-    : scene_name_(scene_name), settings_(settings), problem_(makeSeededProblem(scene, settings.seed)) {
+    : scene_name_(scene_name),
+      settings_(settings),
+      problem_(makeSeededProblem(scene, settings.checker, settings.seed)) {
   requireTimeLimit(settings.time_limit_s, where, "time limit");
   const PlannerKind& kind = findFitting(catalogue, settings.planner, scene, where);
   const auto prepare = [this, starts = kind.start_states](const ob::PlannerTerminationCondition& done) {
@@ -73,6 +76,7 @@ PlanResult Query::result(const ob::PlannerStatus& status) const {
   PlanResult result = pathResult(*problem_, status);
   result.scene = scene_name_;
   result.planner = settings_.planner;
+  result.checker = checkerName(settings_.checker);
   planner_->params().getParams(result.parameters);
   result.seed = settings_.seed;
   result.threads = settings_.threads;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "experiments/checker_choice.h"
 #include "experiments/deadline_planner.h"
 #include "experiments/planners.h"
 #include "experiments/planning_problem.h"
@@ -18,6 +19,7 @@ namespace b4p {
 /// How a scene is to be solved.
 struct QuerySettings {
   std::string planner = "b4p";
+  CheckerKind checker = CheckerKind::kFast;
   PlannerParameters parameters;
   std::uint64_t seed = 1;
   unsigned threads = 1;

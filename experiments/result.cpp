@@ -106,6 +106,7 @@ Json resultJson(const PlanResult& result) {
   Json document{{"schema", kSchema},
                 {"scene", result.scene},
                 {"planner", result.planner},
+                {"checker", result.checker},
                 {"parameters", Json(result.parameters)},
                 {"seed", result.seed},
                 {"threads", result.threads},
@@ -129,16 +130,19 @@ void writeResult(const std::string& file, const PlanResult& result) {
 PlanResult resultFrom(const JsonValue& root) {
   root.requireSchema(kSchema);
   if (root.has(kReached))
-    root.requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s",
-                      "planning_time_s", "status", "solved", "grasp_id", kReached, "joint_names", "path",
-                      "verification"});
+    root.requireKeys(
+        {"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s", "planning_time_s",
+         "status", "solved", "grasp_id", kReached, "joint_names", "path", "verification"},
+        {"checker"});
   else
     root.requireKeys({"schema", "scene", "planner", "parameters", "seed", "threads", "time_limit_s",
                       "planning_time_s", "status", "solved", "grasp_id", "grasp", "X_WO_pick", "X_WO_place",
-                      "joint_names", "path", "verification"});
+                      "joint_names", "path", "verification"},
+                     {"checker"});
   PlanResult result;
   result.scene = root["scene"].text();
   result.planner = root["planner"].text();
+  if (root.has("checker")) result.checker = root["checker"].text();
   result.parameters = root["parameters"].texts();
   result.seed = root["seed"].integer<std::uint64_t>();
   result.threads = root["threads"].integer<unsigned>();

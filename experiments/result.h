@@ -28,6 +28,7 @@ struct Verification {
 struct PlanResult {
   std::string scene;  ///< name or path, as loadScene() takes it
   std::string planner;
+  std::string checker = "fcl";  ///< see checkerNamed(); of files that do not say, FCL
   std::map<std::string, std::string> parameters;
   std::uint64_t seed = 0;
   unsigned threads = 1;

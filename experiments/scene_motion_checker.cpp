@@ -6,41 +6,39 @@
 namespace b4p {
 namespace {
 
-/// Adds what a context counts during one question to a count that all threads share.
+/// Says after a question how much a context has counted in all.
 class CountedQuestion {
  public:
-  CountedQuestion(const CollisionContext& context, std::atomic<std::uint64_t>& total)
-      : context_(context), total_(total), before_(context.configurationsChecked()) {}
-  ~CountedQuestion() {
-    total_.fetch_add(context_.configurationsChecked() - before_, std::memory_order_relaxed);
-  }
+  CountedQuestion(const CollisionContext& context, ConfigurationCounts::Count& count)
+      : context_(context), count_(count) {}
+  ~CountedQuestion() { count_.value.store(context_.configurationsChecked(), std::memory_order_relaxed); }
   CountedQuestion(const CountedQuestion&) = delete;
   CountedQuestion& operator=(const CountedQuestion&) = delete;
 
  private:
   const CollisionContext& context_;
-  std::atomic<std::uint64_t>& total_;
-  std::uint64_t before_;
+  ConfigurationCounts::Count& count_;
 };
 
 class SceneMotionContext : public GraspMotionContext {
  public:
   SceneMotionContext(std::unique_ptr<CollisionContext> context, std::shared_ptr<const SceneRegion> region,
-                     std::shared_ptr<std::atomic<std::uint64_t>> configurations)
+                     std::shared_ptr<ConfigurationCounts> configurations)
       : context_(std::move(context)),
         region_(std::move(region)),
-        configurations_(std::move(configurations)) {}
+        configurations_(std::move(configurations)),
+        count_(configurations_->add()) {}
 
   bool isFree(const double* q, GraspId grasp) override {
-    const CountedQuestion counted(*context_, *configurations_);
+    const CountedQuestion counted(*context_, count_);
     return context_->isFree(q, held(grasp));
   }
   bool isEdgeFree(const double* q1, const double* q2, GraspId grasp) override {
-    const CountedQuestion counted(*context_, *configurations_);
+    const CountedQuestion counted(*context_, count_);
     return context_->isEdgeFree(q1, q2, held(grasp));
   }
   double freeFraction(const double* q1, const double* q2, GraspId grasp) override {
-    const CountedQuestion counted(*context_, *configurations_);
+    const CountedQuestion counted(*context_, count_);
     return context_->freeFraction(q1, q2, held(grasp));
   }
 
@@ -49,7 +47,8 @@ class SceneMotionContext : public GraspMotionContext {
 
   std::unique_ptr<CollisionContext> context_;
   std::shared_ptr<const SceneRegion> region_;
-  std::shared_ptr<std::atomic<std::uint64_t>> configurations_;
+  std::shared_ptr<ConfigurationCounts> configurations_;
+  ConfigurationCounts::Count& count_;
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 
+#include "experiments/configuration_counts.h"
 #include "experiments/scene_region.h"
 #include "planners/grasp_motion_checker.h"
 #include "state_validity/collision_checker.h"
@@ -19,17 +19,17 @@ class SceneMotionChecker : public GraspMotionChecker {
                      std::shared_ptr<const SceneRegion> region)
       : checker_(std::move(checker)),
         region_(std::move(region)),
-        configurations_(std::make_shared<std::atomic<std::uint64_t>>(0)) {}
+        configurations_(std::make_shared<ConfigurationCounts>()) {}
 
   std::unique_ptr<GraspMotionContext> makeContext() const override;
 
   /// Configurations that all contexts together have looked at, those along motions included.
-  std::uint64_t configurationsChecked() const { return configurations_->load(std::memory_order_relaxed); }
+  std::uint64_t configurationsChecked() const { return configurations_->total(); }
 
  private:
   std::shared_ptr<const CollisionChecker> checker_;
   std::shared_ptr<const SceneRegion> region_;
-  std::shared_ptr<std::atomic<std::uint64_t>> configurations_;  ///< contexts outlive the checker
+  std::shared_ptr<ConfigurationCounts> configurations_;  ///< contexts outlive the checker
 };
 
 }  // namespace b4p

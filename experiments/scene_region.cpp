@@ -36,7 +36,8 @@ SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChec
 SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChecker> checker,
                          std::unique_ptr<const GraspSampler> grasps)
     : checker_(std::move(checker)),
-      gripper_checker_(FloatingBody::makeChecker(checker_->problem(), FloatingBody::Parts::kGripper)),
+      gripper_checker_(
+          FloatingBody::makeChecker(checker_->problem(), FloatingBody::Parts::kGripper, *checker_)),
       robot_(checker_->problem().robot),
       X_WO_start_(scene.pickPlace().X_WO_start),
       sampler_(std::move(grasps)),

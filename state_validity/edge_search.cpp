@@ -10,17 +10,6 @@ namespace b4p {
 EdgeSearch::EdgeSearch(PosedPieces& pieces)
     : pieces_(pieces), q_(static_cast<std::size_t>(pieces.world().robot().dof())), joint_motion_(q_.size()) {}
 
-double EdgeSearch::sweptBound(const double* q1, const double* q2) const {
-  const Eigen::MatrixXd& travel = pieces_.travel();
-  double farthest = 0.0;
-  for (int i = 0; i < pieces_.movingCount(); ++i) {
-    double motion = 0.0;
-    for (Eigen::Index j = 0; j < travel.rows(); ++j) motion += travel(j, i) * std::abs(q2[j] - q1[j]);
-    farthest = std::max(farthest, motion);
-  }
-  return farthest;
-}
-
 bool EdgeSearch::allFree(const EdgeSamples& samples) {
   start(samples);
   const std::size_t all = active_.size();

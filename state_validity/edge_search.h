@@ -20,9 +20,6 @@ class EdgeSearch {
  public:
   explicit EdgeSearch(PosedPieces& pieces);
 
-  /// Bound (m) of how far any point of a moving piece travels from q1 to q2.
-  double sweptBound(const double* q1, const double* q2) const;
-
   /// True when no sample collides. Both ends are looked at first, then the middle, the quarters and so on.
   bool allFree(const EdgeSamples& samples);
 

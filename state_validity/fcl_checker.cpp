@@ -15,6 +15,10 @@ class FclChecker : public CollisionChecker {
     return std::make_unique<FclContext>(world_);
   }
   const CollisionProblem& problem() const override { return world_->problem(); }
+  std::shared_ptr<const CollisionChecker> sameKindFor(CollisionProblem problem) const override {
+    return makeFclChecker(std::move(problem));
+  }
+  std::string description() const override { return "FCL"; }
 
  private:
   std::shared_ptr<const FclWorld> world_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_validity/posed_pieces.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +18,30 @@ namespace {
 
 // A grasp may exceed the gripper's opening by this much through rounding.
 constexpr double kOpeningTolerance_m = 1e-9;
+
+// How many grasps are remembered at most; each takes the place of an earlier one that shares its slot.
+constexpr std::size_t kSlots = 1024;
+
+bool same(const Grasp& a, const Grasp& b) {
+  return a.opening_m == b.opening_m && a.X_OT.matrix() == b.X_OT.matrix();
+}
+
+std::size_t slotOf(const Grasp& grasp) {
+  std::uint64_t hash = 0;
+  const auto mix = [&hash](double value) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15ULL;
+    hash ^= hash >> 32;
+  };
+  mix(grasp.opening_m);
+  for (int i = 0; i < 3; ++i) {
+    mix(grasp.X_OT.translation()[i]);
+    mix(grasp.X_OT.linear()(0, i));
+    mix(grasp.X_OT.linear()(1, i));
+  }
+  return static_cast<std::size_t>(hash % kSlots);
+}
 
 void requireUsable(const Grasp& grasp, double max_opening_m) {
   if (!grasp.X_OT.matrix().allFinite() || !std::isfinite(grasp.opening_m))
@@ -39,32 +65,45 @@ PosedPieces::PosedPieces(std::shared_ptr<const FclWorld> world) : world_(std::mo
     X_WS_[index(i)] = link < 0 ? pieces[i].X_BS : X_WL_[index(link)] * pieces[i].X_BS;
     bound(i);
   }
-  travel_ = Eigen::MatrixXd::Zero(robot.dof(), pieces.stillBegin());
-  travel_.leftCols(pieces.objectBegin()) = world_->linkTravel();
+  known_.resize(kSlots);
+  empty_.travel = world_->linkTravel();
+  held_ = &empty_;
+  empty_.rigid_collision = findRigidCollision();
 }
 
 void PosedPieces::hold(const Grasp* grasp) {
-  const bool same_grasp = grasp && grasp_known_ && grasp->opening_m == grasp_.opening_m &&
-                          grasp->X_OT.matrix() == grasp_.X_OT.matrix();
-  const bool held = grasp != nullptr;
-  if (ready_ && held == held_ && (!held || same_grasp)) return;
-  if (held && !same_grasp) {
-    const Manipulator& robot = world_->robot();
-    requireUsable(*grasp, robot.description().max_opening_m);
-    grasp_ = *grasp;
-    X_TO_ = grasp_.X_OT.inverse();
-    const CollisionPieces& pieces = world_->pieces();
-    for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i)
-      travel_.col(i) = travelPerUnit(robot, robot.tcpLink(), {pieces[i].grown, X_TO_ * pieces[i].X_BS});
-    grasp_known_ = true;
+  if (!grasp) {
+    held_ = &empty_;
+    return;
   }
-  held_ = held;
-  rigid_collision_ = findRigidCollision();
-  ready_ = true;
+  if (holds() && same(*grasp, held_->grasp)) return;
+  const std::size_t slot = slotOf(*grasp);
+  const HeldObject* known = known_[slot].get();
+  held_ = known && same(*grasp, known->grasp) ? known : &remember(*grasp, slot);
+}
+
+HeldObject& PosedPieces::remember(const Grasp& grasp, std::size_t slot) {
+  const Manipulator& robot = world_->robot();
+  const CollisionPieces& pieces = world_->pieces();
+  requireUsable(grasp, robot.description().max_opening_m);
+  held_ = &empty_;  // what the slot held may be the one in use
+  known_[slot] = std::make_unique<HeldObject>();
+  HeldObject& held = *known_[slot];
+  held.held = true;
+  held.grasp = grasp;
+  held.X_TO = grasp.X_OT.inverse();
+  held.serial = ++last_serial_;
+  held.travel = Eigen::MatrixXd::Zero(robot.dof(), pieces.stillBegin());
+  held.travel.leftCols(pieces.objectBegin()) = world_->linkTravel();
+  for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i)
+    held.travel.col(i) = travelPerUnit(robot, robot.tcpLink(), {pieces[i].grown, held.X_TO * pieces[i].X_BS});
+  held_ = &held;
+  held.rigid_collision = findRigidCollision();
+  return held;
 }
 
 const PiecePair* PosedPieces::findRigidCollision() {
-  const std::vector<PiecePair>& rigid = world_->pairs(held_).rigid;
+  const std::vector<PiecePair>& rigid = world_->pairs(holds()).rigid;
   if (rigid.empty()) return nullptr;
   place(world_->robot().lower().data());  // any configuration will do
   for (const PiecePair& pair : rigid)
@@ -75,14 +114,26 @@ const PiecePair* PosedPieces::findRigidCollision() {
 void PosedPieces::place(const double* q) {
   const Manipulator& robot = world_->robot();
   const CollisionPieces& pieces = world_->pieces();
-  robot.linkPoses(q, held_ ? grasp_.opening_m : robot.description().max_opening_m, X_WL_);
+  robot.linkPoses(q, opening_m(), X_WL_);
   for (int i = 0; i < pieces.objectBegin(); ++i)
     X_WS_[index(i)] = X_WL_[index(pieces[i].link)] * pieces[i].X_BS;
-  if (held_) {
-    const Eigen::Isometry3d X_WO = X_WL_[index(robot.tcpLink())] * X_TO_;
+  if (holds()) {
+    const Eigen::Isometry3d X_WO = X_WL_[index(robot.tcpLink())] * held_->X_TO;
     for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i) X_WS_[index(i)] = X_WO * pieces[i].X_BS;
   }
   for (int i = 0; i < movingCount(); ++i) bound(i);
+}
+
+double PosedPieces::sweptBound(const double* q1, const double* q2) const {
+  const Eigen::Index dof = travel().rows();
+  const double* travel_m = travel().data();
+  double farthest = 0.0;
+  for (int i = 0; i < movingCount(); ++i, travel_m += dof) {
+    double motion = 0.0;
+    for (Eigen::Index j = 0; j < dof; ++j) motion += travel_m[j] * std::abs(q2[j] - q1[j]);
+    farthest = std::max(farthest, motion);
+  }
+  return farthest;
 }
 
 void PosedPieces::bound(int i) {

@@ -1,34 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a state check and an edge check cost: a Panda that holds a box among 20 boxes, self-collision on, edge
-// step 1 cm. items_per_second counts states or edges.
-#include <array>
+// What state and edge checks cost with FCL and with the vectorised checker: a Panda that holds a box among 20
+// boxes, and the shipped scenes; self-collision on, edge step 1 cm. items_per_second counts states or edges;
+// us_per_sample is the time of an edge over the number of samples at which it is known to be free, whether
+// looked at or not.
 #include <cmath>
+#include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "experiments/scene.h"
-#include "state_validity/collision_checker.h"
+#include "experiments/checker_choice.h"
+#include "experiments/problem.h"
+#include "state_validity/edge_samples.h"
+#include "state_validity/posed_pieces.h"
 
 namespace b4p {
 namespace {
 
 constexpr int kObstacles = 20;
-constexpr std::size_t kQueries = 512;
-using Configuration = std::array<double, 7>;
+constexpr std::size_t kQueries = 256;
+using Configuration = std::vector<double>;
 
 struct Edge {
   Configuration q1;
   Configuration q2;
 };
 
-// One workload for all benchmarks, drawn with a fixed seed.
+CollisionProblem pandaAmongBoxes() {
+  std::mt19937_64 random(1);
+  const RobotFile robot = loadRobotFile("panda");
+  CollisionProblem problem{std::make_shared<const Manipulator>(loadUrdf(robot.urdf_file), robot.description,
+                                                               Eigen::Isometry3d::Identity(), "panda"),
+                           {},
+                           {{Box{{0.06, 0.06, 0.12}}, Eigen::Isometry3d::Identity()}}};
+  std::uniform_real_distribution<> angle(-M_PI, M_PI), distance(0.45, 0.9), height(0.1, 1.0), side(0.03, 0.2);
+  for (int i = 0; i < kObstacles; ++i) {
+    PlacedShape box{Box{{side(random), side(random), side(random)}}, Eigen::Isometry3d::Identity()};
+    const double around = angle(random), away = distance(random);
+    box.X_BS.translation() =
+        Eigen::Vector3d(away * std::cos(around), away * std::sin(around), height(random));
+    problem.obstacles.push_back({"box" + std::to_string(i), box});
+  }
+  return problem;
+}
+
+// One workload for both checkers, drawn with a fixed seed.
 class Workload {
  public:
-  Workload() : checker_(makeFclChecker(problem())), context_(checker_->makeContext()) {
-    grasp.X_OT = Eigen::Translation3d(0.0, 0.0, 0.04) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
-    grasp.opening_m = 0.062;
+  explicit Workload(const std::string& name) {
+    if (name == "boxes") {
+      problem_ = pandaAmongBoxes();
+      grasp.X_OT = Eigen::Translation3d(0.0, 0.0, 0.04) * Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+      grasp.opening_m = 0.062;
+    } else {
+      const Problem scene = makeProblem(loadScene(name));
+      problem_ = scene.checker->problem();
+      const auto region = scene.region->makeSceneContext(1);
+      Configuration q(static_cast<std::size_t>(problem_.robot->dof()));
+      GraspId id = kNoGrasp;
+      while (!region->samplePick(q.data(), id)) {
+      }
+      grasp = scene.region->grasp(id);
+    }
+    context_ = makeContext(CheckerKind::kFast);
     while (any_states.size() < kQueries) any_states.push_back(randomState());
     while (free_states.size() < kQueries) {
       const Configuration q = randomState();
@@ -48,93 +84,124 @@ class Workload {
     return found;
   }
 
-  std::unique_ptr<CollisionContext> makeContext() const { return checker_->makeContext(); }
+  double samplesPerEdge(const std::vector<Edge>& edges) const {
+    PosedPieces pieces(std::make_shared<const FclWorld>(problem_));
+    pieces.hold(&grasp);
+    double count = 0.0;
+    for (const Edge& edge : edges)
+      count += 1.0 + static_cast<double>(EdgeSamples(edge.q1.data(), edge.q2.data(), problem_.robot->dof(),
+                                                     pieces.sweptBound(edge.q1.data(), edge.q2.data()),
+                                                     problem_.edge_step_m)
+                                             .last());
+    return count / static_cast<double>(edges.size());
+  }
+
+  std::unique_ptr<CollisionContext> makeContext(CheckerKind kind) const {
+    return makeChecker(kind, problem_)->makeContext();
+  }
 
   Grasp grasp;
   std::vector<Configuration> any_states;
   std::vector<Configuration> free_states;
 
  private:
-  CollisionProblem problem() {
-    const RobotFile robot = loadRobotFile("panda");
-    robot_ = std::make_shared<const Manipulator>(loadUrdf(robot.urdf_file), robot.description,
-                                                 Eigen::Isometry3d::Identity(), "panda");
-    CollisionProblem problem{robot_, {}, {{Box{{0.06, 0.06, 0.12}}, Eigen::Isometry3d::Identity()}}};
-    std::uniform_real_distribution<> angle(-M_PI, M_PI), distance(0.45, 0.9), height(0.1, 1.0),
-        side(0.03, 0.2);
-    for (int i = 0; i < kObstacles; ++i) {
-      PlacedShape box{Box{{side(random_), side(random_), side(random_)}}, Eigen::Isometry3d::Identity()};
-      const double around = angle(random_), away = distance(random_);
-      box.X_BS.translation() =
-          Eigen::Vector3d(away * std::cos(around), away * std::sin(around), height(random_));
-      problem.obstacles.push_back({"box" + std::to_string(i), box});
-    }
-    return problem;
-  }
-
   Configuration randomState() {
     Configuration q;
-    for (int i = 0; i < robot_->dof(); ++i)
-      q[static_cast<std::size_t>(i)] =
-          std::uniform_real_distribution<>(robot_->lower()[i], robot_->upper()[i])(random_);
+    for (int i = 0; i < problem_.robot->dof(); ++i)
+      q.push_back(
+          std::uniform_real_distribution<>(problem_.robot->lower()[i], problem_.robot->upper()[i])(random_));
     return q;
   }
 
   std::mt19937_64 random_{1};
-  std::shared_ptr<const Manipulator> robot_;
-  std::shared_ptr<const CollisionChecker> checker_;
+  CollisionProblem problem_;
   std::unique_ptr<CollisionContext> context_;
 };
 
-Workload& workload() {
-  static Workload instance;
-  return instance;
-}
-
-void checkStates(benchmark::State& state, const std::vector<Configuration>& states) {
-  const auto context = workload().makeContext();
+void checkStates(benchmark::State& state, const Workload& workload, CheckerKind kind,
+                 const std::vector<Configuration>& states) {
+  const auto context = workload.makeContext(kind);
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(context->isFree(states[i++ % kQueries].data(), &workload().grasp));
+    benchmark::DoNotOptimize(context->isFree(states[i++ % kQueries].data(), &workload.grasp));
   state.SetItemsProcessed(state.iterations());
 }
 
-void anyStates(benchmark::State& state) { checkStates(state, workload().any_states); }
-void freeStates(benchmark::State& state) { checkStates(state, workload().free_states); }
+void checkManyStates(benchmark::State& state, const Workload& workload, CheckerKind kind) {
+  const auto context = workload.makeContext(kind);
+  std::vector<double> all;
+  for (const Configuration& q : workload.any_states) all.insert(all.end(), q.begin(), q.end());
+  bool free[kQueries];
+  for (auto _ : state) {
+    context->areFree(all.data(), kQueries, &workload.grasp, free);
+    benchmark::DoNotOptimize(free[0]);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kQueries));
+}
 
-// The argument is the share, in percent, of the way to a random state that an edge covers.
-void checkEdges(benchmark::State& state, bool free) {
-  const auto context = workload().makeContext();
-  const std::vector<Edge> edges = workload().edges(free, static_cast<double>(state.range(0)) / 100.0);
+template <typename Ask>
+void checkEdges(benchmark::State& state, const Workload& workload, CheckerKind kind,
+                const std::vector<Edge>& edges, double samples, const Ask& ask) {
+  const auto context = workload.makeContext(kind);
   std::size_t i = 0;
   for (auto _ : state) {
     const Edge& edge = edges[i++ % kQueries];
-    benchmark::DoNotOptimize(context->isEdgeFree(edge.q1.data(), edge.q2.data(), &workload().grasp));
+    benchmark::DoNotOptimize(ask(*context, edge, &workload.grasp));
   }
   state.SetItemsProcessed(state.iterations());
+  state.counters["samples"] = samples;
+  state.counters["us_per_sample"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * samples * 1e-6,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void freeEdges(benchmark::State& state) { checkEdges(state, true); }
-void blockedEdges(benchmark::State& state) { checkEdges(state, false); }
-
-void blockedFreeFraction(benchmark::State& state) {
-  const auto context = workload().makeContext();
-  const std::vector<Edge> edges = workload().edges(false, static_cast<double>(state.range(0)) / 100.0);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const Edge& edge = edges[i++ % kQueries];
-    benchmark::DoNotOptimize(context->freeFraction(edge.q1.data(), edge.q2.data(), &workload().grasp));
+void registerAll(const std::string& name) {
+  const auto workload = std::make_shared<Workload>(name);
+  const auto isEdgeFree = [](CollisionContext& context, const Edge& edge, const Grasp* held) {
+    return context.isEdgeFree(edge.q1.data(), edge.q2.data(), held);
+  };
+  const auto freeFraction = [](CollisionContext& context, const Edge& edge, const Grasp* held) {
+    return context.freeFraction(edge.q1.data(), edge.q2.data(), held);
+  };
+  const auto title = [&name](const std::string& what, CheckerKind kind) {
+    return name + "/" + what + "/" + checkerName(kind);
+  };
+  const CheckerKind kinds[] = {CheckerKind::kFcl, CheckerKind::kFast};
+  for (const CheckerKind kind : kinds) {
+    benchmark::RegisterBenchmark(title("any_state", kind).c_str(), [=](benchmark::State& state) {
+      checkStates(state, *workload, kind, workload->any_states);
+    });
+    benchmark::RegisterBenchmark(title("free_state", kind).c_str(), [=](benchmark::State& state) {
+      checkStates(state, *workload, kind, workload->free_states);
+    });
+    benchmark::RegisterBenchmark(title("many_states", kind).c_str(),
+                                 [=](benchmark::State& state) { checkManyStates(state, *workload, kind); });
   }
-  state.SetItemsProcessed(state.iterations());
+  // The share of the way to a random state that an edge covers.
+  for (const int percent : {10, 50})
+    for (const bool free : {true, false}) {
+      const std::vector<Edge> edges = workload->edges(free, percent / 100.0);
+      const double samples = workload->samplesPerEdge(edges);
+      const std::string what = (free ? "free_edge_" : "blocked_edge_") + std::to_string(percent);
+      for (const CheckerKind kind : kinds)
+        benchmark::RegisterBenchmark(title(what, kind).c_str(), [=](benchmark::State& state) {
+          checkEdges(state, *workload, kind, edges, samples, isEdgeFree);
+        });
+      if (free) continue;
+      for (const CheckerKind kind : kinds)
+        benchmark::RegisterBenchmark(title("free_fraction_" + std::to_string(percent), kind).c_str(),
+                                     [=](benchmark::State& state) {
+                                       checkEdges(state, *workload, kind, edges, samples, freeFraction);
+                                     });
+    }
 }
-
-BENCHMARK(anyStates);
-BENCHMARK(freeStates);
-BENCHMARK(freeEdges)->Arg(10)->Arg(50);
-BENCHMARK(blockedEdges)->Arg(10)->Arg(50);
-BENCHMARK(blockedFreeFraction)->Arg(10)->Arg(50);
 
 }  // namespace
 }  // namespace b4p
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  for (const char* name : {"boxes", "grocery", "stick", "maze"}) b4p::registerAll(name);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -22,6 +22,7 @@ struct Options {
   std::string runs, seed;            ///< empty: as the experiment's file says
   std::vector<std::string> threads;  ///< likewise
   std::vector<std::string> scenes;   ///< empty: all
+  std::string checker;               ///< empty: as the experiment's file says
   double time_limit_s = 0.0;
   bool has_time_limit = false;
   bool overwrite = false;
@@ -40,6 +41,7 @@ ExperimentOverrides overridesFrom(const Options& options) {
     overrides.threads.push_back(count);
   }
   overrides.scenes = options.scenes;
+  if (!options.checker.empty()) overrides.checker = checkerNamed(options.checker, kWhere, "--checker");
   if (options.has_time_limit) {
     requireTimeLimit(options.time_limit_s, kWhere, "--time-limit-s");
     overrides.time_limit_s = options.time_limit_s;
@@ -93,6 +95,8 @@ void addBenchCommand(CLI::App& app, Run& run) {
       ->delimiter(',');
   command->add_option("--scenes", options->scenes, "Some of the file's scenes, as maze,grocery [all]")
       ->delimiter(',');
+  command->add_option("--checker", options->checker,
+                      "Collision checker of all planners, fast or fcl [the file's checker, or fast]");
   CLI::Option* limit = command->add_option("--time-limit-s", options->time_limit_s,
                                            "Time limit of a run in seconds [the file's time_limit_s]");
   command->add_flag(

@@ -25,6 +25,7 @@ constexpr const char* kWhere = "b4p plan";
 struct Options {
   std::string scene;
   std::string planner = "b4p";
+  std::string checker = "fast";
   std::vector<std::string> parameters;
   std::string seed = "1";
   std::string threads = "1";
@@ -37,6 +38,7 @@ struct Options {
 QuerySettings settingsFrom(const Options& options, const Scene& scene) {
   QuerySettings settings;
   settings.planner = options.planner;
+  settings.checker = checkerNamed(options.checker, kWhere, "--checker");
   settings.parameters = keyValues(options.parameters, kWhere);
   settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
   settings.threads =
@@ -112,6 +114,10 @@ void addPlanCommand(CLI::App& app, Run& run) {
       ->add_option("--param", options->parameters,
                    "KEY=VALUE: a parameter of the planner, see `b4p list`; repeatable")
       ->allow_extra_args(false);
+  command
+      ->add_option("--checker", options->checker,
+                   "Collision checker: fast (vectorised) or fcl; both give the same answers")
+      ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed; on one thread it determines the path")
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Parallel workers, 1 to 64")->capture_default_str();

@@ -33,12 +33,12 @@ ob::OptimizationObjectivePtr anyPath(const ob::SpaceInformationPtr& si) {
 
 }  // namespace
 
-ReachProblem::ReachProblem(const Scene& of_scene, const ReachTask& of_task) {
-  addWorld(of_scene, {});
+ReachProblem::ReachProblem(const Scene& of_scene, const ReachTask& of_task, CheckerKind checker_kind) {
+  addWorld(of_scene, {}, checker_kind);
   addPlanningParts(nullptr);
   // Steps that planners derive from the space's extent are those of joint space alone.
   space->setGraspDistance(0.0);
-  const auto hand = FloatingBody::makeChecker(checker->problem(), FloatingBody::Parts::kGripper);
+  const auto hand = FloatingBody::makeChecker(checker->problem(), FloatingBody::Parts::kGripper, *checker);
   goal = std::make_shared<ReachGoal>(si, std::make_shared<ManipulatorReachRobot>(robot, hand),
                                      targetsOf(of_task));
   setup->setGoal(goal);

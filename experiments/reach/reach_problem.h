@@ -13,7 +13,7 @@ struct ReachProblem : PlanningProblem {
 
   /// @param task  of the scene
   /// @throws InputError when the robot's files are at fault
-  ReachProblem(const Scene& scene, const ReachTask& task);
+  ReachProblem(const Scene& scene, const ReachTask& task, CheckerKind checker);
 
   void seedGoal(std::uint64_t seed) override { goal->seed(seed); }
   void plantStarts(int picks, std::uint64_t seed,

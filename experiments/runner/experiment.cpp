@@ -58,6 +58,15 @@ PlannerParameters readParameters(const YamlValue& mapping) {
   return parameters;
 }
 
+/// What the key `checker` says, where it is there.
+CheckerKind readChecker(const YamlValue& mapping, CheckerKind otherwise) {
+  const auto checker = mapping.find("checker");
+  if (!checker) return otherwise;
+  for (const CheckerKind kind : {CheckerKind::kFast, CheckerKind::kFcl})
+    if (checker->isWord(checkerName(kind).c_str())) return kind;
+  checker->failWithValue("is neither fast nor fcl");
+}
+
 /// The scene that a key names: one of those that the file lists.
 std::string listedScene(const std::string& key, const YamlValue& value,
                         const std::vector<std::string>& listed) {
@@ -69,13 +78,17 @@ std::string listedScene(const std::string& key, const YamlValue& value,
 /// Reads the experiment's planners, one contender per thread count.
 class ContenderReader {
  public:
-  ContenderReader(Experiment& experiment, ThreadCounts threads, bool skip_beyond_cores)
-      : experiment_(experiment), threads_(std::move(threads)), skip_beyond_cores_(skip_beyond_cores) {}
+  ContenderReader(Experiment& experiment, ThreadCounts threads, bool skip_beyond_cores, CheckerKind checker)
+      : experiment_(experiment),
+        threads_(std::move(threads)),
+        skip_beyond_cores_(skip_beyond_cores),
+        checker_(checker) {}
 
   void read(const YamlValue& item) {
-    item.allowKeys({"label", "planner", "threads", "runs", "parameters", "scene_parameters"});
+    item.allowKeys({"label", "planner", "threads", "runs", "checker", "parameters", "scene_parameters"});
     Contender contender;
     contender.planner = item["planner"].text();
+    contender.checker = readChecker(item, checker_);
     if (const auto runs = item.find("runs")) contender.runs = runs->integer(1, kMostRuns);
     if (const auto parameters = item.find("parameters")) contender.parameters = readParameters(*parameters);
     if (const auto scenes = item.find("scene_parameters"))
@@ -103,6 +116,7 @@ class ContenderReader {
   Experiment& experiment_;
   ThreadCounts threads_;
   bool skip_beyond_cores_;
+  CheckerKind checker_;
 };
 
 void readScenes(const YamlValue& document, Experiment& experiment) {
@@ -181,7 +195,7 @@ Experiment loadExperiment(const std::string& file, const ExperimentOverrides& ov
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSchema);
   document.allowKeys({"schema", "name", "runs", "time_limit_s", "check_limit", "check_cost_us", "stop",
-                      "threads", "skip_threads_beyond_cores", "seed", "scenes", "planners"});
+                      "threads", "skip_threads_beyond_cores", "seed", "checker", "scenes", "planners"});
   Experiment experiment;
   experiment.file = file;
   experiment.name = document["name"].word();
@@ -197,7 +211,8 @@ Experiment loadExperiment(const std::string& file, const ExperimentOverrides& ov
     threads = {overrides.threads, threads.several || overrides.threads.size() > 1};
     experiment.left_out_threads.clear();
   }
-  ContenderReader contenders(experiment, threads, skip_beyond_cores);
+  ContenderReader contenders(experiment, threads, skip_beyond_cores,
+                             readChecker(document, CheckerKind::kFast));
   for (const YamlValue& item : document["planners"].items()) contenders.read(item);
   if (experiment.contenders.empty()) document["planners"].fail("is empty");
 
@@ -207,6 +222,8 @@ Experiment loadExperiment(const std::string& file, const ExperimentOverrides& ov
     experiment.runs = *overrides.runs;
     for (Contender& contender : experiment.contenders) contender.runs = 0;
   }
+  if (overrides.checker)
+    for (Contender& contender : experiment.contenders) contender.checker = *overrides.checker;
   keepScenes(overrides.scenes, document, experiment);
   return experiment;
 }

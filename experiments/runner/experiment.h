@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/checker_choice.h"
 #include "experiments/planners.h"
 #include "experiments/run_limits.h"
 #include "experiments/scene.h"
@@ -17,6 +18,7 @@ namespace b4p {
 struct Contender {
   std::string label;  ///< a word, unlike the others
   std::string planner;
+  CheckerKind checker = CheckerKind::kFast;
   unsigned threads = 1;
   PlannerParameters parameters;
   std::map<std::string, PlannerParameters> scene_parameters = {};  ///< over `parameters`, by scene as listed
@@ -54,7 +56,8 @@ struct ExperimentOverrides {
   std::optional<std::uint64_t> seed;
   std::vector<unsigned> threads;  ///< of planners that do not state their own; empty: the file's
   std::optional<double> time_limit_s;
-  std::vector<std::string> scenes;  ///< some of the file's, empty: all
+  std::optional<CheckerKind> checker;  ///< of all planners
+  std::vector<std::string> scenes;     ///< some of the file's, empty: all
 };
 
 /// @throws InputError naming file, key and value

@@ -66,6 +66,7 @@ std::string recordLine(const RunRecord& record) {
                          {"label", record.label},
                          {"run", record.run},
                          {"planner", record.planner},
+                         {"checker", record.checker},
                          {"seed", record.seed},
                          {"threads", record.threads},
                          {"time_limit_s", limits.time_s},
@@ -97,12 +98,14 @@ RunRecord recordFrom(const std::string& line, const std::string& where) {
       {"schema",       "scene",       "label",    "run",    "planner", "seed",     "threads",
        "time_limit_s", "check_limit", "stop",     "status", "solved",  "verified", "verification_failure",
        "crashed",      "crash",       "grasp_id", "time_s", "cpu_s",   "wall_s",   "checks",
-       "edge_checks",  "build",       "ompl"});
+       "edge_checks",  "build",       "ompl"},
+      {"checker"});
   RunRecord record;
   record.scene = root["scene"].text();
   record.label = root["label"].text();
   record.run = root["run"].integer<int>();
   record.planner = root["planner"].text();
+  if (root.has("checker")) record.checker = root["checker"].text();
   record.seed = root["seed"].integer<std::uint64_t>();
   record.threads = root["threads"].integer<unsigned>();
   record.limits = readLimits(root);

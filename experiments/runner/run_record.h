@@ -25,6 +25,7 @@ struct RunRecord {
   std::string label;
   int run = 0;  ///< counted from 1
   std::string planner;
+  std::string checker = "fcl";  ///< see checkerNamed(); of lines that do not say, FCL
   std::uint64_t seed = 0;
   unsigned threads = 1;
   RunLimits limits;

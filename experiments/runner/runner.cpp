@@ -68,6 +68,7 @@ OmplBenchmark::RunProperties ownColumns(const Query& query, const PlanResult& re
 
 void fill(RunRecord& record, const Query& query, const PlanResult& result) {
   record.planner = result.planner;
+  record.checker = result.checker;
   record.seed = result.seed;
   record.threads = result.threads;
   record.status = result.status;
@@ -194,6 +195,7 @@ QuerySettings BenchmarkRunner::settingsFor(const Planned& run) const {
   const RunLimits limits = limitsOf(run);
   QuerySettings settings;
   settings.planner = contender.planner;
+  settings.checker = contender.checker;
   settings.parameters = contender.parametersFor(scenes_[run.scene].listed.given);
   settings.threads = contender.threads;
   settings.seed = derivedSeed(experiment_.seed, static_cast<std::uint64_t>(run.number));
@@ -299,7 +301,8 @@ std::string BenchmarkRunner::header() const {
   int most_runs = 0;
   for (const Contender& contender : recorded_contenders_) {
     most_runs = std::max(most_runs, contender.runs);
-    text << contender.label << ": " << contender.planner << ", threads " << contender.threads;
+    text << contender.label << ": " << contender.planner << ", checker " << checkerName(contender.checker)
+         << ", threads " << contender.threads;
     for (const auto& [name, value] : contender.parameters) text << ", " << name << " " << value;
     for (const auto& [scene, parameters] : contender.scene_parameters)
       for (const auto& [name, value] : parameters) text << ", " << name << " " << value << " on " << scene;

@@ -16,6 +16,7 @@ namespace {
 constexpr int kSchema = 1;
 constexpr int kIndent = 1;
 constexpr const char* kRuns = "runs";
+constexpr const char* kChecker = "checker";
 
 template <class Value>
 Json orNull(const std::optional<Value>& value) {
@@ -49,6 +50,7 @@ Json toJson(const Experiment& experiment, const ListedScene& listed) {
 
 Json toJson(const Experiment& experiment, const Contender& contender) {
   return {{"planner", contender.planner},
+          {kChecker, checkerName(contender.checker)},
           {"threads", contender.threads},
           {"parameters", Json(contender.parameters)},
           {"scene_parameters", Json(contender.scene_parameters)},
@@ -96,6 +98,7 @@ void merge(const std::string& file, const std::string& group, Json& there, const
     if (adapted.contains(kRuns)) {
       const int runs = std::max(adapted[kRuns].get<int>(), old[kRuns].get<int>());
       adapted[kRuns] = old[kRuns] = runs;
+      if (!old.contains(kChecker)) old[kChecker] = checkerName(CheckerKind::kFcl);
     }
     requireSame(file, group + "." + item.key(), old, adapted);
   }
@@ -109,10 +112,13 @@ std::vector<Contender> readContenders(const JsonValue& root) {
     scene.requireKeys({"time_limit_s", "check_limit", "scene_file", "robot_file", "urdf_file"});
   std::vector<Contender> contenders;
   for (const auto& [label, planner] : root["planners"].entries()) {
-    planner.requireKeys({"planner", "threads", "parameters", "scene_parameters", kRuns});
+    planner.requireKeys({"planner", "threads", "parameters", "scene_parameters", kRuns}, {kChecker});
     Contender& contender = contenders.emplace_back();
     contender.label = label;
     contender.planner = planner["planner"].text();
+    // Folders that do not say are older than the choice.
+    contender.checker = planner.has(kChecker) ? checkerNamed(planner[kChecker].text(), root.file(), kChecker)
+                                              : CheckerKind::kFcl;
     contender.threads = planner["threads"].integer<unsigned>();
     contender.parameters = planner["parameters"].texts();
     for (const auto& [scene, parameters] : planner["scene_parameters"].entries())

@@ -20,6 +20,7 @@ constexpr double kNoLimit_s = 1e9;
 QuerySettings settingsFor(const SpeedStudy& study, const SpeedCase& which) {
   QuerySettings settings;
   settings.planner = study.planner;
+  settings.checker = CheckerKind::kFcl;  // that of the study which is reproduced costs as much
   settings.parameters = study.parameters;
   settings.seed = which.seed;
   settings.threads = which.workers;

@@ -21,7 +21,9 @@ struct CheckerMaker {
 
 inline std::ostream& operator<<(std::ostream& out, const CheckerMaker& maker) { return out << maker.name; }
 
-inline auto allCheckers() { return ::testing::Values(CheckerMaker{"Fcl", makeFclChecker}); }
+inline auto allCheckers() {
+  return ::testing::Values(CheckerMaker{"Fcl", makeFclChecker}, CheckerMaker{"Vector", makeVectorChecker});
+}
 
 inline std::string checkerName(const ::testing::TestParamInfo<CheckerMaker>& info) { return info.param.name; }
 

@@ -26,7 +26,7 @@ TEST(EdgeSearch, AnswersAsEverySampleTogether) {
     const double length = i % 5 == 0 ? 1.0 : 0.2;
     for (std::size_t j = 0; j < q2.size(); ++j) q2[j] = q1[j] + length * (q2[j] - q1[j]);
     pieces.hold(held);
-    const EdgeSamples samples(q1.data(), q2.data(), 7, search.sweptBound(q1.data(), q2.data()),
+    const EdgeSamples samples(q1.data(), q2.data(), 7, pieces.sweptBound(q1.data(), q2.data()),
                               problem.edge_step_m);
     std::int64_t first = 0;
     for (PandaConfiguration q = q1; first <= samples.last(); ++first) {

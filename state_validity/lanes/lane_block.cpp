@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "state_validity/lanes/lane_block.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "state_validity/lanes/lane_block.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+#include <hwy/highway.h>
+
+#include "state_validity/lanes/lane_distances-inl.h"
+#include "state_validity/lanes/lane_kinematics-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace b4p::lanes::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr int kBodyFloats = 15 * kLanes;
+
+class Block {
+ public:
+  Block(const LaneWorld& world, const LaneRobot& robot, const BlockQuery& query, BlockScratch& scratch)
+      : world_(world), robot_(robot), query_(query), scratch_(scratch), active_((1u << query.used) - 1u) {}
+
+  void run() {
+    scratch_.count = 0;
+    scratch_.colliding = 0;
+    for (int lane = 0; lane < query_.used; lane += width_)
+      poseJoints(world_, query_.q, lane, scratch_.joints);
+    if (query_.among)
+      runAmong();
+    else
+      runAll();
+  }
+
+ private:
+  const LaneBody& body(int i) const {
+    return i < world_.moving_end ? robot_.moving[static_cast<std::size_t>(i)] : world_.stillBody(i);
+  }
+  float* placed(int i) const { return scratch_.bodies + i * kBodyFloats; }
+  bool ended() const { return query_.any && scratch_.colliding != 0; }
+
+  void place(int i) {
+    const LaneBody& moving = body(i);
+    for (int lane = 0; lane < query_.used; lane += width_) {
+      Placed out;
+      placeBody(moving, scratch_.joints, lane, out);
+      storePlaced(out, placed(i), lane);
+    }
+  }
+
+  void runAmong() {
+    ++scratch_.stamp;
+    for (int i = 0; i < query_.among_count && !ended(); ++i) {
+      const PairLanes& pair = query_.among[i];
+      for (const int b : {pair.a, pair.b})
+        if (b < world_.moving_end && scratch_.placed_at[static_cast<std::size_t>(b)] != scratch_.stamp) {
+          place(b);
+          scratch_.placed_at[static_cast<std::size_t>(b)] = scratch_.stamp;
+        }
+      look(pair.a, pair.b, pair.motion_m, pair.near & active_);
+    }
+  }
+
+  void runAll() {
+    const int count = static_cast<int>(robot_.moving.size());
+    for (int i = 0; i < count; ++i) {
+      place(i);
+      sweep(i);
+    }
+    for (int i = 0; i < count && !ended(); ++i)
+      if (robot_.meets_obstacles[static_cast<std::size_t>(i)]) lookAtObstacles(i);
+    for (const LanePair& pair : robot_.pairs) {
+      if (ended()) return;
+      if (pair.b < world_.moving_end && !sweptMeet(pair.a, pair.b)) continue;
+      look(pair.a, pair.b, query_.pair_motion_m ? query_.pair_motion_m[pair.index] : 0.0f, active_);
+    }
+  }
+
+  // The box around all that body i reaches from any of the configurations.
+  void sweep(int i) {
+    const V motion = constant(query_.body_motion_m ? query_.body_motion_m[i] : 0.0f);
+    const V around = constant(body(i).margin + world_.clear_m);
+    V low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+      low[k] = constant(kFar);
+      high[k] = constant(-kFar);
+    }
+    for (int lane = 0; lane < query_.used; lane += width_) {
+      const V more = hn::MulAdd(motion, hn::LoadU(d_, query_.reach + lane), around);
+      for (int k = 0; k < 3; ++k) {
+        const V middle = hn::Load(d_, placed(i) + (9 + k) * kLanes + lane);
+        const V extent = hn::Add(hn::Load(d_, placed(i) + (12 + k) * kLanes + lane), more);
+        const V below = hn::Sub(middle, extent), above = hn::Add(middle, extent);
+        low[k] = hn::Min(low[k], below);
+        high[k] = hn::Max(high[k], above);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      scratch_.swept[6 * i + k] = hn::GetLane(hn::MinOfLanes(d_, low[k]));
+      scratch_.swept[6 * i + 3 + k] = hn::GetLane(hn::MaxOfLanes(d_, high[k]));
+    }
+  }
+
+  bool sweptMeet(int a, int b) const {
+    const float *sa = scratch_.swept + 6 * a, *sb = scratch_.swept + 6 * b;
+    for (int k = 0; k < 3; ++k)
+      if (sa[k] > sb[3 + k] || sb[k] > sa[3 + k]) return false;
+    return true;
+  }
+
+  void lookAtObstacles(int i) {
+    const float* swept = scratch_.swept + 6 * i;
+    const int count = world_.bodyCount() - world_.obstacle_begin;
+    const float motion_m = query_.body_motion_m ? query_.body_motion_m[i] : 0.0f;
+    for (int first = 0; first < count; first += width_) {
+      auto meet = hn::FirstN(d_, static_cast<std::size_t>(count - first));
+      for (int k = 0; k < 3; ++k) {
+        meet = hn::And(meet, hn::Le(hn::LoadU(d_, world_.low[k].data() + first), constant(swept[3 + k])));
+        meet = hn::And(meet, hn::Ge(hn::LoadU(d_, world_.high[k].data() + first), constant(swept[k])));
+      }
+      for (std::uint32_t bits = bitsOf(meet); bits != 0; bits &= bits - 1) {
+        const int obstacle = first + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+        look(i, world_.obstacle_begin + obstacle, motion_m, active_);
+        if (ended()) return;
+      }
+    }
+  }
+
+  template <typename Mask>
+  static std::uint32_t bitsOf(Mask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Lanes(), mask, bytes);
+    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+  }
+
+  void load(int i, int lane, Placed& out) const {
+    if (i < world_.moving_end)
+      loadPlaced(placed(i), lane, out);
+    else
+      placeStill(world_.stillBody(i), out);
+  }
+
+  // Whether the axis-aligned boxes around a moving body and an obstacle are farther apart than asked.
+  bool clearOfObstacle(const Placed& pa, int lane, int a, int b, V apart) const {
+    const std::size_t o = static_cast<std::size_t>(b - world_.obstacle_begin);
+    V square = hn::Zero(d_);
+    for (int k = 0; k < 3; ++k) {
+      const V extent = hn::Load(d_, placed(a) + (12 + k) * kLanes + lane);
+      const V above = hn::Sub(hn::Sub(pa.middle[k], extent), constant(world_.high[k][o]));
+      const V below = hn::Sub(constant(world_.low[k][o]), hn::Add(pa.middle[k], extent));
+      const V gap = positive(hn::Max(above, below));
+      square = hn::MulAdd(gap, gap, square);
+    }
+    return hn::AllTrue(d_, hn::Gt(square, hn::Mul(apart, apart)));
+  }
+
+  void look(int a, int b, float motion_m, std::uint32_t lanes) {
+    if (lanes == 0) return;
+    const LaneBody &first = body(a), &second = body(b);
+    const float margin = first.margin + second.margin;
+    const V clear = constant(world_.clear_m + margin);
+    std::uint32_t near = 0, unsure = 0, colliding = 0;
+    for (int lane = 0; lane < query_.used; lane += width_) {
+      if (((lanes >> lane) & lane_mask_) == 0) continue;
+      const V apart = hn::MulAdd(constant(motion_m), hn::LoadU(d_, query_.reach + lane), clear);
+      Placed pa, pb;
+      load(a, lane, pa);
+      if (b >= world_.obstacle_begin && clearOfObstacle(pa, lane, a, b, apart)) continue;
+      load(b, lane, pb);
+      const Question question{apart, clear};
+      const Bounds bounds = first.kind <= second.kind ? distanceOf(first, pa, second, pb, question)
+                                                      : distanceOf(second, pb, first, pa, question);
+      near |= bitsOf(hn::Not(hn::Gt(bounds.lower, apart))) << lane;
+      unsure |= bitsOf(hn::Not(hn::Gt(bounds.lower, clear))) << lane;
+      colliding |= bitsOf(hn::Lt(bounds.upper, hn::Neg(clear))) << lane;
+    }
+    near &= lanes;
+    colliding &= lanes;
+    unsure &= lanes & ~colliding;
+    if (colliding != 0) {
+      scratch_.colliding |= colliding;
+      if (!query_.each) {
+        // Lanes up to the first collision are of interest still.
+        active_ &= colliding ^ (colliding - 1);
+        scratch_.colliding &= active_;
+      }
+    }
+    if (near != 0 && !ended())
+      scratch_.pairs[static_cast<std::size_t>(scratch_.count++)] = {
+          a, b, motion_m, static_cast<std::uint16_t>(near), static_cast<std::uint16_t>(unsure)};
+  }
+
+  const Lanes d_{};
+  const int width_ = static_cast<int>(hn::Lanes(d_));
+  const std::uint32_t lane_mask_ = (1u << hn::Lanes(d_)) - 1u;
+  const LaneWorld& world_;
+  const LaneRobot& robot_;
+  const BlockQuery& query_;
+  BlockScratch& scratch_;
+  std::uint32_t active_;
+};
+
+void checkBlock(const LaneWorld& world, const LaneRobot& robot, const BlockQuery& query,
+                BlockScratch& scratch) {
+  Block(world, robot, query, scratch).run();
+}
+
+const char* instructionSet() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace b4p::lanes::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace b4p::lanes {
+
+HWY_EXPORT(checkBlock);
+HWY_EXPORT(instructionSet);
+
+void checkBlock(const LaneWorld& world, const LaneRobot& robot, const BlockQuery& query,
+                BlockScratch& scratch) {
+  HWY_DYNAMIC_DISPATCH(checkBlock)(world, robot, query, scratch);
+}
+
+const char* instructionSet() { return HWY_DYNAMIC_DISPATCH(instructionSet)(); }
+
+void BlockScratch::resize(const LaneWorld& world, const LaneRobot& robot) {
+  constexpr std::size_t kAlign = 64 / sizeof(float);
+  const std::size_t moving = robot.moving.size(),
+                    obstacles = static_cast<std::size_t>(world.bodyCount() - world.obstacle_begin);
+  const std::size_t joint_floats = world.joints.size() * 12 * kLanes, body_floats = moving * 15 * kLanes;
+  storage.resize(joint_floats + body_floats + 6 * moving + kAlign);
+  const auto address = reinterpret_cast<std::uintptr_t>(storage.data());
+  joints = storage.data() + (64 - address % 64) % 64 / sizeof(float);
+  bodies = joints + joint_floats;
+  swept = bodies + body_floats;
+  pairs.resize(moving * obstacles + robot.pairs.size());
+  placed_at.assign(moving, stamp);
+}
+
+}  // namespace b4p::lanes
+#endif  // HWY_ONCE
