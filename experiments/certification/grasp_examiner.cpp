@@ -47,7 +47,7 @@ std::vector<Grasp> drawnGrasps(const Scene& scene, const Manipulator& robot, int
 
 GraspExaminer::GraspExaminer(const Scene& scene, CertificateSettings settings)
     : settings_(std::move(settings)),
-      problem_(makeProblem(scene, CheckerKind::kFcl)),
+      problem_(makeProblem(scene)),
       why_no_proof_(planar::whyNotPlanar(*problem_.robot)),
       grasps_(drawnGrasps(scene, *problem_.robot, settings_.grasps, settings_.seed)) {}
 

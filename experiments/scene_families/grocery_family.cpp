@@ -104,7 +104,7 @@ SceneFamily groceryFamily() {
   family.settings = "robot: panda\nedge_step_m: 0.01\ncontact_clearance_m: " + sceneNumber(kClearance_m) +
                     "\nbudget_s: 120\n";
   family.parameters = {
-      {"shelf_gap_m", "height of the compartment", 0.11, 0.3, 0.17, 0.135, 0.13, 0.001},
+      {"shelf_gap_m", "height of the compartment", 0.11, 0.3, 0.17, 0.115, 0.113, 0.001},
       {"goal_depth_m", "from the shelf's front edge to the nearest placement of the can's middle", 0.06, 0.2,
        0.12, 0.14, 0.15, 0.001},
       {"neighbour_clearance_m", "from a can in the middle of its gap to each neighbour", 0.035, 0.1, 0.07,
