@@ -99,23 +99,19 @@ TEST(SceneFamilies, ShippedScenesAreTheStandardInstances) {
     const Scene standard = loaded(folder, generated(family.name, {}));
     EXPECT_EQ(standard.name, shipped.name);
     EXPECT_EQ(standard.robot.file, shipped.robot.file);
-    EXPECT_EQ(standard.pickPlace().object_name, shipped.pickPlace().object_name);
+    EXPECT_EQ(standard.object_name, shipped.object_name);
     EXPECT_EQ(standard.edge_step_m, shipped.edge_step_m);
-    EXPECT_EQ(standard.pickPlace().contact_clearance_m, shipped.pickPlace().contact_clearance_m);
+    EXPECT_EQ(standard.contact_clearance_m, shipped.contact_clearance_m);
     EXPECT_EQ(standard.budget_s, shipped.budget_s);
     ASSERT_EQ(standard.obstacles.size(), shipped.obstacles.size());
     for (std::size_t i = 0; i < shipped.obstacles.size(); ++i)
       expectSame(standard.obstacles[i].shape, shipped.obstacles[i].shape, shipped.obstacles[i].name);
-    ASSERT_EQ(standard.pickPlace().object.size(), shipped.pickPlace().object.size());
-    for (std::size_t i = 0; i < shipped.pickPlace().object.size(); ++i)
-      expectSame(standard.pickPlace().object[i], shipped.pickPlace().object[i],
-                 "piece " + std::to_string(i) + " of the object");
-    EXPECT_LT((standard.pickPlace().X_WO_start.matrix() - shipped.pickPlace().X_WO_start.matrix())
-                  .cwiseAbs()
-                  .maxCoeff(),
-              kSame);
-    expectSame(standard.pickPlace().grasps, shipped.pickPlace().grasps);
-    expectSame(standard.pickPlace().placement, shipped.pickPlace().placement);
+    ASSERT_EQ(standard.object.size(), shipped.object.size());
+    for (std::size_t i = 0; i < shipped.object.size(); ++i)
+      expectSame(standard.object[i], shipped.object[i], "piece " + std::to_string(i) + " of the object");
+    EXPECT_LT((standard.X_WO_start.matrix() - shipped.X_WO_start.matrix()).cwiseAbs().maxCoeff(), kSame);
+    expectSame(standard.grasps, shipped.grasps);
+    expectSame(standard.placement, shipped.placement);
   }
 }
 
