@@ -20,7 +20,8 @@ struct FamilyParameter {
 /// Parameters' values by name.
 using FamilyValues = std::map<std::string, double>;
 
-/// What is asked of a family. The defaults ask for the scene that ships under the family's name.
+/// What is asked of a family. The defaults ask for the scene that ships under the family's name; of
+/// `confined`, for confined/013.
 struct FamilyRequest {
   std::uint64_t seed = 0;   ///< 0: nothing is drawn, every position is the standard one
   double difficulty = 0.5;  ///< 0 ... 1, sets the parameters that are not in `set`

@@ -107,7 +107,9 @@ def _reaching(reach: dict, file: Path, X_WB: Pose) -> dict:
         with reading(table, "file of grasps"):
             rows = np.loadtxt(table, delimiter=",", ndmin=2).reshape(-1, 4, 4)
         # From the hand's side to the TCP, along the approach axis z.
-        needle = PlacedShape(Capsule(NEEDLE_RADIUS_M, NEEDLE_M), pose((0, 0, -NEEDLE_M / 2)))
+        # Few corners: a picture joins hundreds of them.
+        size = np.array([2 * NEEDLE_RADIUS_M, 2 * NEEDLE_RADIUS_M, NEEDLE_M])
+        needle = PlacedShape(Box(size), pose((0, 0, -NEEDLE_M / 2)))
         goals = [PlacedShape(needle.shape, X_WB @ X_BT @ needle.X_BS) for X_BT in rows]
     else:
         radius = reach.get("tolerance", {}).get("position_m", POSITION_TOLERANCE_M)

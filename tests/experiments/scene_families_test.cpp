@@ -105,24 +105,25 @@ TEST(SceneFamilies, ShippedScenesAreTheStandardInstances) {
     SCOPED_TRACE(family.name);
     const Scene shipped = loadScene(family.name);
     const Scene standard = loaded(folder, generated(family.name, {}));
-    const PickPlaceTask &standard_task = standard.pickPlace(), &shipped_task = shipped.pickPlace();
     EXPECT_EQ(standard.name, shipped.name);
     EXPECT_EQ(standard.robot.file, shipped.robot.file);
-    EXPECT_EQ(standard_task.object_name, shipped_task.object_name);
+    EXPECT_EQ(standard.pickPlace().object_name, shipped.pickPlace().object_name);
     EXPECT_EQ(standard.edge_step_m, shipped.edge_step_m);
-    EXPECT_EQ(standard_task.contact_clearance_m, shipped_task.contact_clearance_m);
+    EXPECT_EQ(standard.pickPlace().contact_clearance_m, shipped.pickPlace().contact_clearance_m);
     EXPECT_EQ(standard.budget_s, shipped.budget_s);
     ASSERT_EQ(standard.obstacles.size(), shipped.obstacles.size());
     for (std::size_t i = 0; i < shipped.obstacles.size(); ++i)
       expectSame(standard.obstacles[i].shape, shipped.obstacles[i].shape, shipped.obstacles[i].name);
-    ASSERT_EQ(standard_task.object.size(), shipped_task.object.size());
-    for (std::size_t i = 0; i < shipped_task.object.size(); ++i)
-      expectSame(standard_task.object[i], shipped_task.object[i],
+    ASSERT_EQ(standard.pickPlace().object.size(), shipped.pickPlace().object.size());
+    for (std::size_t i = 0; i < shipped.pickPlace().object.size(); ++i)
+      expectSame(standard.pickPlace().object[i], shipped.pickPlace().object[i],
                  "piece " + std::to_string(i) + " of the object");
-    EXPECT_LT((standard_task.X_WO_start.matrix() - shipped_task.X_WO_start.matrix()).cwiseAbs().maxCoeff(),
+    EXPECT_LT((standard.pickPlace().X_WO_start.matrix() - shipped.pickPlace().X_WO_start.matrix())
+                  .cwiseAbs()
+                  .maxCoeff(),
               kSame);
-    expectSame(standard_task.grasps, shipped_task.grasps);
-    expectSame(standard_task.placement, shipped_task.placement);
+    expectSame(standard.pickPlace().grasps, shipped.pickPlace().grasps);
+    expectSame(standard.pickPlace().placement, shipped.pickPlace().placement);
   }
 }
 

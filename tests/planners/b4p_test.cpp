@@ -2,12 +2,16 @@
 // Promises of B4P alone: one thread and one seed give one path; a worker's single steps can be taken from
 // outside; trees of different grasps are joined and their path repaired; Eq. 3 is not asked twice.
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -62,6 +66,48 @@ TEST(B4PPlanner, OneSeedGivesTheSameBytesOnOneThread) {
     EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(double)), 0);
     EXPECT_NE(once, other);
   }
+}
+
+/// A goal whose samples are mostly invalid; the first ten valid ones lie where no way leads.
+class RareGoal : public ob::GoalSampleableRegion {
+ public:
+  static constexpr double kInvalid = 5.0, kEnclosed = 7.0, kOpen = 1.0;  ///< first coordinates
+
+  using GoalSampleableRegion::GoalSampleableRegion;
+  unsigned maxSampleCount() const override { return std::numeric_limits<unsigned>::max(); }
+  double distanceGoal(const ob::State*) const override { return 1.0; }
+  void sampleGoal(ob::State* state) const override {
+    constexpr int kPerValid = 20, kFirstOpen = 10;
+    ++drawn_;
+    auto* q = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    q[1] = 1.0;
+    q[0] = drawn_ % kPerValid != 0 ? kInvalid : drawn_ <= kPerValid * kFirstOpen ? kEnclosed : kOpen;
+  }
+
+ private:
+  mutable int drawn_ = 0;
+};
+
+TEST(B4PPlanner, DrawsGoalsOfAPlainProblemAgainAlthoughMostAreInvalid) {
+  ompl::msg::noOutputHandler();
+  const auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+  space->setBounds(-2.0, 8.0);
+  const auto si = std::make_shared<ob::SpaceInformation>(space);
+  si->setStateValidityChecker([](const ob::State* state) {
+    const double x = state->as<ob::RealVectorStateSpace::StateType>()->values[0];
+    return x < 2.0 || x > 6.0;
+  });
+  si->setup();
+  auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  ob::ScopedState<> start(space);
+  start[0] = start[1] = 0.0;
+  problem->addStartState(start);
+  problem->setGoal(std::make_shared<RareGoal>(si));
+  B4P planner(si);
+  planner.setProblemDefinition(problem);
+  ASSERT_EQ(planner.ob::Planner::solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
+  auto& path = *problem->getSolutionPath()->as<og::PathGeometric>();
+  EXPECT_EQ(path.getStates().back()->as<ob::RealVectorStateSpace::StateType>()->values[0], RareGoal::kOpen);
 }
 
 TEST(B4PPlanner, SaysWhatEndedItInACrash) {

@@ -93,7 +93,7 @@ def test_poses_of_grasps_are_in_the_frame_of_the_robots_root(tmp_path):
     (tmp_path / "scene.yaml").write_text(text)
     (tmp_path / "poses.csv").write_text("1,0,0,0.5,0,1,0,0,0,0,1,0.25,0,0,0,1\n")
     (goal,) = read_scene(tmp_path / "scene.yaml").goals
-    end = goal.X_BS @ [0, 0, goal.shape.length / 2, 1]
+    end = goal.X_BS @ [0, 0, goal.shape.size[2] / 2, 1]
     assert np.allclose(end, [0.5, 0, 0.26, 1])  # the base stands at 0.01
 
 
