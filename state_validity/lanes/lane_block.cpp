@@ -147,6 +147,11 @@ class Block {
     return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
   }
 
+  static hn::Mask<Lanes> maskOf(std::uint32_t bits) {
+    std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
+    return hn::LoadMaskBits(Lanes(), bytes);
+  }
+
   void load(int i, int lane, Placed& out) const {
     if (i < world_.moving_end)
       loadPlaced(placed(i), lane, out);
@@ -183,7 +188,7 @@ class Block {
       if (b >= world_.obstacle_begin) open &= ~clearOfObstacle(pa, lane, a, b, apart);
       if ((open & (lanes >> lane)) == 0) continue;
       load(b, lane, pb);
-      const Question question{apart, clear};
+      const Question question{apart, clear, maskOf(~(open & (lanes >> lane)))};
       const Bounds bounds = first.kind <= second.kind ? distanceOf(first, pa, second, pb, question)
                                                       : distanceOf(second, pb, first, pa, question);
       near |= (open & bitsOf(hn::Not(hn::Gt(bounds.lower, apart)))) << lane;
