@@ -44,11 +44,12 @@ double SampledContext::freeFraction(const double* q1, const double* q2, const Gr
   if (free < 0) return kNothing;
   if (free == samples.last()) return 1.0;
   // The part up to sample k is checked at samples 0 .. k again, except for rounding. Rounding can turn a
-  // verdict that hangs by a hair, so that the promise about this part is verified rather than believed.
+  // verdict that hangs by a hair, so that the promise about this part is verified where it does.
+  const bool certain = beyondRounding();
   for (; free > 0; --free) {
     const double t = static_cast<double>(free) / static_cast<double>(samples.last());
     for (std::size_t i = 0; i < q_.size(); ++i) q_[i] = q1[i] + t * (q2[i] - q1[i]);
-    if (isLegalEdgeFree(q1, q_.data())) return t;
+    if (certain ? robot().withinLimits(q_.data()) : isLegalEdgeFree(q1, q_.data())) return t;
   }
   return 0.0;
 }

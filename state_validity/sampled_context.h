@@ -35,6 +35,9 @@ class SampledContext : public CollisionContext {
   /// Smallest k <= last at which a sample collides; last + 1 if there is none.
   virtual std::int64_t firstBlocked(const EdgeSamples& samples, std::int64_t last) = 0;
 
+  /// Whether the last answer of firstBlocked() holds by so much that rounding of the samples cannot turn it.
+  virtual bool beyondRounding() const { return false; }
+
   /// How often isFree() has been asked.
   std::uint64_t statesAsked() const { return states_asked_; }
 

@@ -21,7 +21,8 @@ bool VectorContext::allFree(const EdgeSamples& samples) {
 }
 
 std::int64_t VectorContext::firstBlocked(const EdgeSamples& samples, std::int64_t last) {
-  return covers(samples) ? search_.firstBlocked(samples, last) : far_search_.firstBlocked(samples, last);
+  within_range_ = covers(samples);
+  return within_range_ ? search_.firstBlocked(samples, last) : far_search_.firstBlocked(samples, last);
 }
 
 void VectorContext::areFree(const double* q, int count, const Grasp* held, bool* free) {

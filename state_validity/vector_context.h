@@ -24,12 +24,14 @@ class VectorContext : public SampledContext {
   bool stateFree(const double* q) override;
   bool allFree(const EdgeSamples& samples) override;
   std::int64_t firstBlocked(const EdgeSamples& samples, std::int64_t last) override;
+  bool beyondRounding() const override { return within_range_ && search_.beyondRounding(); }
   bool covers(const EdgeSamples& samples) const {
     return search_.covers(samples.q1()) && search_.covers(samples.q2());
   }
 
   lanes::LaneSearch search_;
-  EdgeSearch far_search_;  ///< for joint values out of the range of single precision
+  bool within_range_ = true;  ///< of the last edge
+  EdgeSearch far_search_;     ///< for joint values out of the range of single precision
 };
 
 }  // namespace b4p

@@ -15,6 +15,7 @@
 #include "experiments/problem.h"
 #include "state_validity/edge_samples.h"
 #include "state_validity/posed_pieces.h"
+#include "state_validity/vector_context.h"
 
 namespace b4p {
 namespace {
@@ -150,6 +151,12 @@ void checkEdges(benchmark::State& state, const Workload& workload, CheckerKind k
   }
   state.SetItemsProcessed(state.iterations());
   state.counters["samples"] = samples;
+  const auto per_edge = [&state](std::uint64_t count) {
+    return static_cast<double>(count) / static_cast<double>(state.iterations());
+  };
+  state.counters["looked_at"] = per_edge(context->configurationsChecked());
+  if (const auto* vector = dynamic_cast<const VectorContext*>(context.get()))
+    state.counters["fcl_pairs"] = per_edge(vector->pairsJudged());
   state.counters["us_per_sample"] =
       benchmark::Counter(static_cast<double>(state.iterations()) * samples * 1e-6,
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <random>
+#include <vector>
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/geometric/SimpleSetup.h>
@@ -19,36 +21,53 @@ namespace og = ompl::geometric;
 
 namespace {
 
-constexpr int kQueries = 20;
+constexpr int kQueries = 50;
 constexpr double kTimeLimit_s = 2.0;
 
-/// Where the arm picks the object up with some grasp, and where it puts it down with the same one.
-struct Task {
-  b4p::Grasp grasp;
-  std::vector<double> pick, place;
+struct Motion {
+  std::vector<double> from, to;
 };
 
-std::vector<Task> drawTasks(const b4p::Problem& problem) {
+/// A grasp with which the arm can pick the scene's object up.
+b4p::Grasp drawGrasp(const b4p::Problem& problem) {
   const auto region = problem.region->makeSceneContext(1);
-  std::vector<Task> tasks;
-  while (tasks.size() < kQueries) {
-    Task task;
-    task.pick.resize(static_cast<std::size_t>(problem.robot->dof()));
-    task.place = task.pick;
-    b4p::GraspId grasp = b4p::kNoGrasp;
-    if (!region->samplePick(task.pick.data(), grasp)) continue;
-    if (!region->placeRoot(region->samplePlacement(), grasp, task.place.data())) continue;
-    task.grasp = problem.region->grasp(grasp);
-    tasks.push_back(task);
+  std::vector<double> q(static_cast<std::size_t>(problem.robot->dof()));
+  b4p::GraspId id = b4p::kNoGrasp;
+  while (!region->samplePick(q.data(), id)) {
   }
-  return tasks;
+  return problem.region->grasp(id);
 }
 
-bool solve(const Task& task, const std::shared_ptr<const b4p::CollisionChecker>& checker) {
-  og::SimpleSetup setup(b4p::makeArmSpaceInformation(checker, task.grasp));
+/// Between configurations that are uniform among the free ones.
+std::vector<Motion> drawMotions(const b4p::Problem& problem, const b4p::Grasp& grasp) {
+  const auto collisions = problem.checker->makeContext();
+  std::mt19937_64 random(1);
+  const auto draw = [&] {
+    std::vector<double> q(static_cast<std::size_t>(problem.robot->dof()));
+    do {
+      for (std::size_t i = 0; i < q.size(); ++i) {
+        const auto joint = static_cast<Eigen::Index>(i);
+        q[i] = std::uniform_real_distribution<>(problem.robot->lower()[joint],
+                                                problem.robot->upper()[joint])(random);
+      }
+    } while (!collisions->isFree(q.data(), &grasp));
+    return q;
+  };
+  std::vector<Motion> motions;
+  for (int i = 0; i < kQueries; ++i) {
+    Motion& motion = motions.emplace_back();
+    motion.from = draw();
+    motion.to = draw();
+  }
+  return motions;
+}
+
+bool solve(const Motion& motion, const b4p::Grasp& grasp,
+           const std::shared_ptr<const b4p::CollisionChecker>& checker) {
+  og::SimpleSetup setup(b4p::makeArmSpaceInformation(checker, grasp));
   ob::ScopedState<> start(setup.getStateSpace()), goal(setup.getStateSpace());
-  start = task.pick;
-  goal = task.place;
+  start = motion.from;
+  goal = motion.to;
   setup.setStartAndGoalStates(start, goal);
   setup.setPlanner(std::make_shared<og::RRTConnect>(setup.getSpaceInformation()));
   return setup.solve(kTimeLimit_s) == ob::PlannerStatus::EXACT_SOLUTION;
@@ -59,14 +78,15 @@ bool solve(const Task& task, const std::shared_ptr<const b4p::CollisionChecker>&
 int main(int argc, char** argv) try {
   ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
   const b4p::Problem problem = b4p::makeProblem(b4p::loadScene(argc > 1 ? argv[1] : "grocery"));
-  const std::vector<Task> tasks = drawTasks(problem);
+  const b4p::Grasp grasp = drawGrasp(problem);
+  const std::vector<Motion> motions = drawMotions(problem, grasp);
   for (const b4p::CheckerKind kind : {b4p::CheckerKind::kFcl, b4p::CheckerKind::kFast}) {
     const auto checker = makeChecker(kind, problem.checker->problem());
     int solved = 0;
     const auto start = std::chrono::steady_clock::now();
-    for (const Task& task : tasks) solved += solve(task, checker);
+    for (const Motion& motion : motions) solved += solve(motion, grasp, checker);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    std::cout << checker->description() << ": " << solved << " of " << tasks.size() << " solved within "
+    std::cout << checker->description() << ": " << solved << " of " << motions.size() << " solved within "
               << kTimeLimit_s << " s each, " << elapsed.count() << " s in all\n";
     if (solved == 0) return 1;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_validity/lanes/lane_block.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "state_validity/lanes/lane_block.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
@@ -60,7 +62,20 @@ class Block {
     }
   }
 
+  // Neighbouring edges tend to be blocked by the same pair.
+  void tryLastHit() {
+    const int count = static_cast<int>(robot_.moving.size());
+    const auto known = [&](int i) { return i < count || i >= world_.moving_end; };
+    if (scratch_.hit_b < 0 || !known(scratch_.hit_a) || !known(scratch_.hit_b)) return;
+    place(scratch_.hit_a);
+    if (scratch_.hit_b < count) place(scratch_.hit_b);
+    look(scratch_.hit_a, scratch_.hit_b, 0.0f, active_);
+    scratch_.count = 0;
+  }
+
   void runAll() {
+    if (query_.any) tryLastHit();
+    if (ended()) return;
     const int count = static_cast<int>(robot_.moving.size());
     for (int i = 0; i < count; ++i) {
       place(i);
@@ -132,6 +147,11 @@ class Block {
     return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
   }
 
+  static hn::Mask<Lanes> maskOf(std::uint32_t bits) {
+    std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
+    return hn::LoadMaskBits(Lanes(), bytes);
+  }
+
   void load(int i, int lane, Placed& out) const {
     if (i < world_.moving_end)
       loadPlaced(placed(i), lane, out);
@@ -139,8 +159,8 @@ class Block {
       placeStill(world_.stillBody(i), out);
   }
 
-  // Whether the axis-aligned boxes around a moving body and an obstacle are farther apart than asked.
-  bool clearOfObstacle(const Placed& pa, int lane, int a, int b, V apart) const {
+  // Lanes in which the axis-aligned boxes around a moving body and an obstacle are farther apart than asked.
+  std::uint32_t clearOfObstacle(const Placed& pa, int lane, int a, int b, V apart) const {
     const std::size_t o = static_cast<std::size_t>(b - world_.obstacle_begin);
     V square = hn::Zero(d_);
     for (int k = 0; k < 3; ++k) {
@@ -150,7 +170,7 @@ class Block {
       const V gap = positive(hn::Max(above, below));
       square = hn::MulAdd(gap, gap, square);
     }
-    return hn::AllTrue(d_, hn::Gt(square, hn::Mul(apart, apart)));
+    return bitsOf(hn::Gt(square, hn::Mul(apart, apart)));
   }
 
   void look(int a, int b, float motion_m, std::uint32_t lanes) {
@@ -164,19 +184,23 @@ class Block {
       const V apart = hn::MulAdd(constant(motion_m), hn::LoadU(d_, query_.reach + lane), clear);
       Placed pa, pb;
       load(a, lane, pa);
-      if (b >= world_.obstacle_begin && clearOfObstacle(pa, lane, a, b, apart)) continue;
+      std::uint32_t open = lane_mask_;
+      if (b >= world_.obstacle_begin) open &= ~clearOfObstacle(pa, lane, a, b, apart);
+      if ((open & (lanes >> lane)) == 0) continue;
       load(b, lane, pb);
-      const Question question{apart, clear};
+      const Question question{apart, clear, maskOf(~(open & (lanes >> lane)))};
       const Bounds bounds = first.kind <= second.kind ? distanceOf(first, pa, second, pb, question)
                                                       : distanceOf(second, pb, first, pa, question);
-      near |= bitsOf(hn::Not(hn::Gt(bounds.lower, apart))) << lane;
-      unsure |= bitsOf(hn::Not(hn::Gt(bounds.lower, clear))) << lane;
+      near |= (open & bitsOf(hn::Not(hn::Gt(bounds.lower, apart)))) << lane;
+      unsure |= (open & bitsOf(hn::Not(hn::Gt(bounds.lower, clear)))) << lane;
       colliding |= bitsOf(hn::Lt(bounds.upper, hn::Neg(clear))) << lane;
     }
     near &= lanes;
     colliding &= lanes;
     unsure &= lanes & ~colliding;
     if (colliding != 0) {
+      scratch_.hit_a = a;
+      scratch_.hit_b = b;
       scratch_.colliding |= colliding;
       if (!query_.each) {
         // Lanes up to the first collision are of interest still.
@@ -222,18 +246,19 @@ void checkBlock(const LaneWorld& world, const LaneRobot& robot, const BlockQuery
 
 const char* instructionSet() { return HWY_DYNAMIC_DISPATCH(instructionSet)(); }
 
-void BlockScratch::resize(const LaneWorld& world, const LaneRobot& robot) {
+void BlockScratch::makeRoom(const LaneWorld& world, const LaneRobot& robot) {
   constexpr std::size_t kAlign = 64 / sizeof(float);
-  const std::size_t moving = robot.moving.size(),
-                    obstacles = static_cast<std::size_t>(world.bodyCount() - world.obstacle_begin);
+  const auto moving = static_cast<std::size_t>(world.moving_end);
+  const auto obstacles = static_cast<std::size_t>(world.bodyCount() - world.obstacle_begin);
+  pairs.resize(std::max(pairs.size(), moving * obstacles + robot.pairs.size()));
+  if (joints) return;
   const std::size_t joint_floats = world.joints.size() * 12 * kLanes, body_floats = moving * 15 * kLanes;
   storage.resize(joint_floats + body_floats + 6 * moving + kAlign);
   const auto address = reinterpret_cast<std::uintptr_t>(storage.data());
   joints = storage.data() + (64 - address % 64) % 64 / sizeof(float);
   bodies = joints + joint_floats;
   swept = bodies + body_floats;
-  pairs.resize(moving * obstacles + robot.pairs.size());
-  placed_at.assign(moving, stamp);
+  placed_at.assign(moving, 0);
 }
 
 }  // namespace b4p::lanes

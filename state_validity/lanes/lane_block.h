@@ -32,13 +32,15 @@ struct BlockQuery {
 
 /// What comes of it, and memory for working it out. One object per thread.
 struct BlockScratch {
-  void resize(const LaneWorld& world, const LaneRobot& robot);
+  /// Makes room for blocks of a robot of the world. The world stays the same over the object's life.
+  void makeRoom(const LaneWorld& world, const LaneRobot& robot);
 
   std::vector<PairLanes> pairs;  ///< those that are not apart in all lanes
   int count = 0;                 ///< of them
   std::uint32_t colliding =
       0;  ///< lanes in which some pair certainly collides; after the first, lanes are left out
 
+  int hit_a = -1, hit_b = -1;  ///< the pair that collided last
   std::uint64_t stamp = 0;
   std::vector<std::uint64_t> placed_at;  ///< by moving body: stamp of the block it is placed for
   std::vector<float> storage;

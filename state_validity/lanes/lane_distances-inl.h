@@ -27,14 +27,27 @@ struct Bounds {
   V upper;
 };
 
-/// What has to be known about a distance: whether it exceeds `apart`, or is less than -`deep`.
+/// What has to be known about a distance: whether it exceeds `apart`, else whether it exceeds `clear` or is
+/// less than -clear.
 struct Question {
   V apart;
-  V deep;
+  V clear;
+  hn::Mask<Lanes> ignored;  ///< lanes in which nobody asks
 
-  bool answered(const Bounds& bounds) const {
-    const Lanes d;
-    return hn::AllTrue(d, hn::Or(hn::Gt(bounds.lower, apart), hn::Lt(bounds.upper, hn::Neg(deep))));
+  HWY_INLINE hn::Mask<Lanes> decided(const Bounds& bounds) const {
+    return hn::Or(ignored, hn::Or(hn::Gt(bounds.lower, apart), hn::Lt(bounds.upper, hn::Neg(clear))));
+  }
+  HWY_INLINE bool answered(const Bounds& bounds) const { return hn::AllTrue(Lanes(), decided(bounds)); }
+
+  /// Likewise where a positive upper bound is one of the distance, too: no better lower bound may exist.
+  HWY_INLINE bool settled(const Bounds& bounds) const {
+    const auto between = hn::And(hn::Gt(bounds.lower, clear), hn::Le(bounds.upper, apart));
+    return hn::AllTrue(Lanes(), hn::Or(decided(bounds), between));
+  }
+
+  /// Whether no lane can collide.
+  HWY_INLINE bool free(const Bounds& bounds) const {
+    return hn::AllTrue(Lanes(), hn::Or(ignored, hn::Gt(bounds.lower, clear)));
   }
 };
 
@@ -121,7 +134,7 @@ HWY_INLINE Bounds segmentToSolid(const V* p, const V* v, float radius, const Sol
     const V gap = hn::Sub(distance, hn::Div(slack, hn::Max(distance, constant(kTiny))));
     bounds.lower = hn::Max(bounds.lower, hn::Sub(gap, constant(radius)));
     bounds.upper = hn::Min(bounds.upper, hn::Sub(distance, constant(radius)));
-    if (question.answered(bounds)) break;
+    if (question.settled(bounds)) break;
     const auto uphill = hn::Gt(slope, zero);
     high = hn::IfThenElse(uphill, t, high);
     low = hn::IfThenElse(uphill, low, t);
@@ -189,7 +202,8 @@ HWY_INLINE Bounds boxToBox(const LaneBody& a, const LaneBody& b, const V* way, c
     square = hn::MulAdd(positive(gap), positive(gap), square);
   }
   bounds.lower = hn::Max(bounds.lower, hn::Sqrt(square));
-  if (question.answered(bounds)) return bounds;
+  // A mesh's own faces and vertices say more than what its box has across its axes.
+  if (a.kind == LaneKind::kMesh || b.kind == LaneKind::kMesh || question.answered(bounds)) return bounds;
 
   // Across one axis of each. Where these are parallel the cross product is mere rounding, and one body turned
   // by so little that they are exactly parallel needs no such axis.
@@ -301,7 +315,6 @@ HWY_INLINE FromCylinder cylinderOf(const LaneBody& body) {
 /// last axis only.
 HWY_INLINE Bounds distanceOf(const LaneBody& a, const Placed& pa, const LaneBody& b, const Placed& pb,
                              const Question& question) {
-  const Lanes d;
   V way[3];
   difference(pa.middle, pb.middle, way);
   if (a.kind == LaneKind::kSegment) {
@@ -323,6 +336,8 @@ HWY_INLINE Bounds distanceOf(const LaneBody& a, const Placed& pa, const LaneBody
   }
   Bounds bounds = boxToBox(a, b, way, pa, pb, question, a.margin + b.margin);
   if (question.answered(bounds)) return bounds;
+  const bool meshes = a.mesh || b.mesh;
+  if (!meshes && question.free(bounds)) return bounds;
   V back[3];
   for (int i = 0; i < 3; ++i) back[i] = hn::Neg(way[i]);
   if (b.kind == LaneKind::kCylinder) {
@@ -335,11 +350,10 @@ HWY_INLINE Bounds distanceOf(const LaneBody& a, const Placed& pa, const LaneBody
       roundCylinder(b, p, axis, cylinderOf(a), question, bounds);
   }
   if (b.mesh) {
-    meshFaces(b, pb, a, pa, way, bounds);
-    if (a.kind != LaneKind::kCylinder && !question.answered(bounds)) meshVertices(b, pb, a, pa, back, bounds);
+    if (a.kind != LaneKind::kCylinder) meshVertices(b, pb, a, pa, back, bounds);
+    if (!question.answered(bounds)) meshFaces(b, pb, a, pa, way, bounds);
   }
   if (a.mesh && !question.answered(bounds)) meshFaces(a, pa, b, pb, back, bounds);
-  (void)d;
   return bounds;
 }
 

@@ -49,7 +49,7 @@ const LaneSearch::Hands& LaneSearch::hands() {
     }
     ++index;
   }
-  scratch_.resize(model_->lanes(), slot->robot);
+  scratch_.makeRoom(model_->lanes(), slot->robot);
   return *slot;
 }
 
@@ -134,6 +134,7 @@ std::int64_t LaneSearch::firstBlocked(const EdgeSamples& samples, std::int64_t l
 }
 
 void LaneSearch::start(const EdgeSamples& samples, const LaneRobot& robot) {
+  asked_fcl_ = false;
   parts_.clear();
   near_.clear();
   query_.body_motion_m = query_.pair_motion_m = nullptr;
@@ -190,6 +191,7 @@ bool LaneSearch::judge(const EdgeSamples& samples, const Parts& parts, std::uint
   std::uint32_t unsure = 0;
   for (int i = 0; i < scratch_.count; ++i) unsure |= scratch_.pairs[static_cast<std::size_t>(i)].unsure;
   unsure &= lane_bits;
+  asked_fcl_ = asked_fcl_ || unsure != 0;
   for (; unsure != 0; unsure &= unsure - 1) {
     const int lane = __builtin_ctz(unsure);
     samples.at(parts.part[lane].k, q_.data());

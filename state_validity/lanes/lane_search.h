@@ -33,6 +33,9 @@ class LaneSearch {
   /// For each of `count` configurations, dof values each, whether nothing collides.
   void statesFree(const double* q, int count, bool* free);
 
+  /// Whether bounds alone, with their margins, have shown free what the last firstBlocked() calls free.
+  bool beyondRounding() const { return !asked_fcl_; }
+
   /// Configurations looked at so far: lanes in use.
   std::uint64_t checked() const { return checked_; }
 
@@ -83,6 +86,7 @@ class LaneSearch {
   std::vector<PairLanes> near_;
   std::uint64_t checked_ = 0;
   std::uint64_t judged_ = 0;
+  bool asked_fcl_ = false;
 };
 
 }  // namespace b4p::lanes

@@ -164,6 +164,7 @@ TEST(BadInput, OptionsOutOfRange) {
                                                         {"--seed 1.5", "seed"},
                                                         {"--planner b4p-paper --param paper=0", "paper"},
                                                         {"--planner teleport", "teleport"},
+                                                        {"--checker slow", "--checker"},
                                                         {"--param slices=3", "slices"},
                                                         {"--param slice=0", "slice"},
                                                         {"--param slice=-1", "slice"},
@@ -223,6 +224,7 @@ TEST_F(BadExperiment, NamesTheKey) {
   expectRefusedWith({{"time_limit_s: 5", "time_limit_s: -5"}}, "time_limit_s");
   expectRefusedWith({{"time_limit_s: 5", "time_limit_s: .nan"}}, "time_limit_s");
   expectRefusedWith({{"threads: 1", "threads: 0"}}, "threads");
+  expectRefusedWith({{"seed: 1", "seed: 1\nchecker: slow"}}, "slow");
   expectRefusedWith({{"schema: 1", "schema: 7"}}, "schema");
   expectRefusedWith({{"seed: 1", "seeds: 1"}}, "seed");
   expectRefusedWith({{"planner: b4p", "planner: b5p"}}, "b5p");
@@ -238,7 +240,7 @@ TEST_F(BadExperiment, NamesTheOption) {
             "schema: 1\nname: quick\nruns: 2\ntime_limit_s: 5\nthreads: 1\nseed: 1\nscenes: [easy.yaml]\n"
             "planners:\n  - {label: first, planner: b4p}\n");
   for (const char* option : {"--runs 0", "--seed 1e3", "--threads 65", "--threads 1,1", "--threads 1,two",
-                             "--scenes mars", "--time-limit-s -1", "--resume --overwrite"})
+                             "--scenes mars", "--checker slow", "--time-limit-s -1", "--resume --overwrite"})
     expectRefused("bench " + file + " --out " + out() + " " + option,
                   option == std::string("--scenes mars")
                       ? "mars"

@@ -87,6 +87,20 @@ TEST_F(ExperimentFiles, GiveEachThreadCountItsLabel) {
   EXPECT_THAT(labels(load({}, overrides)), ElementsAre("a", "b"));
 }
 
+TEST_F(ExperimentFiles, ChooseTheCheckerForAllPlannersOrForOne) {
+  const auto checkers = [](const Experiment& experiment) {
+    return std::make_pair(experiment.contenders[0].checker, experiment.contenders[1].checker);
+  };
+  constexpr CheckerKind kFast = CheckerKind::kFast, kFcl = CheckerKind::kFcl;
+  EXPECT_EQ(checkers(load()), std::make_pair(kFast, kFast));
+  EXPECT_EQ(checkers(load({{"seed: 1", "seed: 1\nchecker: fcl"}})), std::make_pair(kFcl, kFcl));
+  EXPECT_EQ(checkers(load({{"seed: 1", "seed: 1\nchecker: fcl"}, {"runs: 3", "checker: fast"}})),
+            std::make_pair(kFcl, kFast));
+  ExperimentOverrides overrides;
+  overrides.checker = kFcl;
+  EXPECT_EQ(checkers(load({}, overrides)), std::make_pair(kFcl, kFcl));
+}
+
 TEST_F(ExperimentFiles, LeaveOutThreadsBeyondTheCores) {
   if (std::thread::hardware_concurrency() >= 64) GTEST_SKIP();
   const Experiment experiment =

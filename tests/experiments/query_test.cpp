@@ -45,6 +45,23 @@ TEST(Query, CountsTheConfigurationsAlongMotions) {
   EXPECT_GE(query.configurationsChecked(), query.edgeChecks());
 }
 
+TEST(Query, BothCheckersLeadToTheSamePath) {
+  const SceneCopy copy;
+  const Scene scene = loadScene(copy.scene());
+  PlanResult results[2];
+  for (const CheckerKind kind : {CheckerKind::kFast, CheckerKind::kFcl}) {
+    QuerySettings with = settings("rrtconnect");
+    with.checker = kind;
+    Query query(scene, copy.scene(), PlannerCatalogue::standard(), with, "test");
+    query.solve();
+    results[kind == CheckerKind::kFcl] = query.result();
+  }
+  EXPECT_EQ(results[0].checker, "fast");
+  EXPECT_EQ(results[1].checker, "fcl");
+  EXPECT_FALSE(results[0].path.empty());
+  EXPECT_EQ(results[0].path, results[1].path);
+}
+
 TEST(Query, StockRrtConnectKeepsItsTimeLimitAmongManyGrasps) {
   const Scene scene = loadScene("grocery");
   Query query(scene, "grocery", PlannerCatalogue::standard(), settings("rrtconnect", 1.0), "test");

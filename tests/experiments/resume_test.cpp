@@ -122,6 +122,9 @@ TEST_F(Resumption, RefusesOtherSettings) {
   other.contenders[0].parameters["slice"] = "10";
   expectRefused(other, "planners.first.parameters");
   other = experiment(1);
+  other.contenders[0].checker = CheckerKind::kFcl;
+  expectRefused(other, "planners.first.checker");
+  other = experiment(1);
   other.contenders[1].planner = "b4p";
   expectRefused(other, "planners.second.planner");
   writeText(copy_.scene(), readFile(copy_.scene()) + "# changed\n");
