@@ -18,11 +18,11 @@ namespace b4p {
 struct Contender {
   std::string label;  ///< a word, unlike the others
   std::string planner;
-  CheckerKind checker = CheckerKind::kFast;
   unsigned threads = 1;
   PlannerParameters parameters;
   std::map<std::string, PlannerParameters> scene_parameters = {};  ///< over `parameters`, by scene as listed
   int runs = 0;                                                    ///< per scene; 0: as the experiment says
+  CheckerKind checker = CheckerKind::kFast;
 
   /// Those of a scene, given as the experiment lists it.
   PlannerParameters parametersFor(const std::string& scene) const;
