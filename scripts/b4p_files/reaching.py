@@ -3,8 +3,10 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from math import isfinite
 
+from b4p_files.errors import FileError
 from b4p_files.records import Budget, Record
 from b4p_files.statistics import CONFIDENCE, quantile, wilson_interval
 
@@ -26,6 +28,19 @@ def grouped_scenes(records: list[Record]) -> dict[str, Runs]:
 def seconds(runs: list[Record]) -> list[float]:
     """Infinite where not solved, or not verified, within the limit."""
     return [run.seconds(Budget.SECONDS) for run in runs]
+
+
+def by_processor_time(records: list[Record], limit_s: float) -> list[Record]:
+    """The same runs with processor time in place of elapsed time: what else the machine does matters less. Raises
+    FileError for runs that ended before this limit without a path."""
+    judged = [replace(record, time_s=record.cpu_s, time_limit_s=limit_s) for record in records]
+    for record in judged:
+        if record.undecided(Budget.SECONDS):
+            raise FileError(
+                f"run {record.run} of {record.label} on {record.scene}",
+                f"ended without a path after {record.cpu_s:.3g} s of processor time, before the limit of {limit_s:g} s",
+            )
+    return judged
 
 
 def _spread(values: list[float], limit: float | None = None) -> str:
