@@ -3,6 +3,7 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from math import isfinite
 
 from b4p_files.records import Budget, Record
@@ -26,6 +27,11 @@ def grouped_scenes(records: list[Record]) -> dict[str, Runs]:
 def seconds(runs: list[Record]) -> list[float]:
     """Infinite where not solved, or not verified, within the limit."""
     return [run.seconds(Budget.SECONDS) for run in runs]
+
+
+def by_processor_time(records: list[Record], limit_s: float) -> list[Record]:
+    """The same runs with processor time in place of elapsed time: what else the machine does matters less."""
+    return [replace(record, time_s=record.cpu_s, time_limit_s=limit_s) for record in records]
 
 
 def _spread(values: list[float], limit: float | None = None) -> str:
@@ -60,6 +66,9 @@ def reaching_tables(records: list[Record]) -> str:
                 f"| {_spread(times, runs[0].time_limit_s)} | {_spread(_lengths(runs, lambda run: run.tcp_path_m))} "
                 f"| {_spread(_lengths(runs, lambda run: run.joint_path))} |\n"
             )
+        for label, runs in contenders.items():
+            if early := sum(run.undecided(Budget.SECONDS) for run in runs):
+                text += f"\n{label}: {early} runs ended before this limit without a path (not solved).\n"
         text += "\n"
     return (
         text + "Medians (quartiles). Solved: runs whose path passed the verifier within the limit; all others count as "

@@ -243,7 +243,7 @@ TEST(Command, PlansAndVerifiesReaching) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(readResult(file).X_WT_reached);
   EXPECT_EQ(runB4p("verify " + file).exit_code, 0);
-  writeText(file, std::regex_replace(readFile(file), std::regex("-0.760123541"), "-0.760123542"));
+  writeText(file, std::regex_replace(readFile(file), std::regex("-0.760123541"), "-0.760123641"));
   EXPECT_EQ(runB4p("verify " + file).exit_code, 3);
 }
 

@@ -74,6 +74,22 @@ def test_a_folder_without_runs_is_refused(refuses, tmp_path):
     refuses("runs.jsonl", "reaching.py", tmp_path, "-o", tmp_path / "out")
 
 
+def test_processor_time_may_be_the_measure(script, refuses, tmp_path):
+    runs = [line("table_above_1", number, 0.9) | {"cpu_s": cpu_s} for number, cpu_s in ((1, 0.2), (2, 0.4), (3, 0.6))]
+    (tmp_path / "runs.jsonl").write_text("".join(json.dumps(run) + "\n" for run in runs))
+    out = tmp_path / "out"
+    assert script("reaching.py", tmp_path, "-o", out, "--processor-s", 0.5).returncode == 0
+    assert "| ik_rrt | 2 of 3 | 0.667 (0.208 ... 0.939) | 0.4 (0.3 ... > 0.5) |" in (out / "reaching.md").read_text()
+    for bad in (0, -1, "nan"):
+        refuses("--processor-s", "reaching.py", tmp_path, "-o", out, f"--processor-s={bad}")
+    unfinished = line("table_above_1", 4, None) | {"cpu_s": 0.45}
+    with (tmp_path / "runs.jsonl").open("a") as file:
+        file.write(json.dumps(unfinished) + "\n")
+    assert script("reaching.py", tmp_path, "-o", out, "--processor-s", 0.5).returncode == 0
+    text = (out / "reaching.md").read_text()
+    assert "| 2 of 4 |" in text and "ik_rrt: 1 runs ended before this limit" in text
+
+
 def test_names_may_have_folders():
     assert find_scene("table/above_1", Path("elsewhere")) == SCENE
     assert find_scene("./table/above_1", Path("elsewhere")) == Path("elsewhere/table/above_1")
