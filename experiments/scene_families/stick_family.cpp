@@ -119,7 +119,7 @@ SceneFamily stickFamily() {
   family.parameters = {
       {"slot_clearance_m", "height of the slot less the stick's thickness", 0.012, 0.08, 0.06, 0.04, 0.02,
        0.001},
-      {"gap_width_m", "opening of the bar (the hand is 0.064 wide)", 0.075, 0.3, 0.16, 0.08, 0.077, 0.001},
+      {"gap_width_m", "opening of the bar (the hand is 0.064 wide)", 0.075, 0.3, 0.16, 0.085, 0.078, 0.001},
       {"passage_depth_m", "from the bar to the farthest placement", 0.13, 0.2, 0.15, 0.15, 0.15, 0.001},
       {"front_room_m", "from the bar to the nearest placement", 0.015, 0.12, 0.015, 0.015, 0.03, 0.001},
       {"shelf_height_m", "of the rests above the robot's foot", 0.2, 0.45, 0.3, 0.3, 0.3, 0.001},
