@@ -39,7 +39,46 @@ void setOutside(const ob::SpaceInformationPtr& si, StateType* state) {
 
 }  // namespace
 
+/// What all threads share, behind its mutex.
 struct PlacementGoal::Search {
+  struct Draw {
+    Placement placement;
+    PlacementSampler::Branch branch = 0;
+    double threshold = 0.0;
+    std::uint64_t seed = 0;
+  };
+
+  bool ended() const { return sampler == nullptr || exhausted || !problem.empty(); }
+
+  /// False when there is nothing to draw any more.
+  bool draw(const std::atomic<double>& threshold, Draw& draw) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (ended()) return false;
+    draw.threshold = threshold.load(std::memory_order_acquire);
+    if (!sampler->draw(random, draw.threshold, draw.placement, draw.branch)) {
+      exhausted = true;
+      ++statistics.exhausted;
+      return false;
+    }
+    draw.seed = random();
+    return true;
+  }
+
+  /// @return whether the draw gave a goal state
+  bool learn(const Draw& draw, const PlacementOutcome& outcome, const PlacementOptions& options,
+             const PlacementObjective& objective) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (sampler != nullptr) sampler->learn(draw.branch, outcome);
+    countOutcome(outcome, options, statistics);
+    if (objective.failed()) problem = objective.problem();
+    return outcome.valid() && problem.empty();
+  }
+
+  void fail(const std::string& what) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (problem.empty()) problem = "testing a placement failed: " + what;
+  }
+
   std::mutex mutex;  ///< guards all that follows
   std::mt19937_64 random;
   std::unique_ptr<PlacementSampler> sampler;  ///< null where there is nothing to draw
@@ -93,7 +132,8 @@ double PlacementGoal::objective(const ob::State* state) const {
   if (s->grasp < 0 || s->grasp >= world_->armCount() || !si_->satisfiesBounds(state)) return -kInfinity;
   try {
     return objective_->value(contexts_.lease()->objectPose(s->grasp, s->q));
-  } catch (const std::exception&) {
+  } catch (const std::exception& e) {
+    search_->fail(e.what());
     return -kInfinity;
   }
 }
@@ -102,39 +142,19 @@ bool PlacementGoal::sample(ob::State* state, unsigned attempts) const {
   auto* s = state->as<StateType>();
   try {
     const auto context = contexts_.lease();
-    for (unsigned i = 0; i < attempts; ++i) {
-      Placement placement;
-      PlacementSampler::Branch branch = 0;
-      double threshold = 0.0;
-      std::uint64_t seed = 0;
-      {
-        const std::lock_guard<std::mutex> lock(search_->mutex);
-        if (search_->sampler == nullptr || search_->exhausted || !search_->problem.empty()) break;
-        threshold = objectiveThreshold();
-        if (!search_->sampler->draw(search_->random, threshold, placement, branch)) {
-          search_->exhausted = true;
-          ++search_->statistics.exhausted;
-          break;
-        }
-        seed = search_->random();
-      }
-      const PlacementOutcome outcome = tryPlacement(*world_, *objective_, options_, *context.operator->(),
-                                                    placement, threshold, seed, s->q);
-      const std::lock_guard<std::mutex> lock(search_->mutex);
-      search_->sampler->learn(branch, outcome);
-      countOutcome(outcome, options_, search_->statistics);
-      if (objective_->failed()) search_->problem = objective_->problem();
-      s->grasp = placement.arm;
-      if (outcome.valid() && search_->problem.empty()) return true;
+    Search::Draw draw;
+    for (unsigned i = 0; i < attempts && search_->draw(threshold_, draw); ++i) {
+      const PlacementOutcome outcome = tryPlacement(*world_, *objective_, options_, *context, draw.placement,
+                                                    draw.threshold, draw.seed, s->q);
+      s->grasp = draw.placement.arm;
+      if (search_->learn(draw, outcome, options_, *objective_)) return true;
     }
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    const std::lock_guard<std::mutex> lock(search_->mutex);
-    if (search_->problem.empty()) search_->problem = std::string("testing a placement failed: ") + e.what();
+    search_->fail(e.what());
   } catch (...) {
-    const std::lock_guard<std::mutex> lock(search_->mutex);
-    if (search_->problem.empty()) search_->problem = "testing a placement failed with an unknown exception";
+    search_->fail("an exception of unknown type");
   }
   setOutside(si_, s);
   return false;
@@ -144,7 +164,12 @@ void PlacementGoal::reportReached(const ob::State* state, double value) const {
   const auto* s = state->as<StateType>();
   if (std::isnan(value) || objective(state) == -kInfinity) return;
   Placement placement;
-  if (!world_->locate(contexts_.lease()->objectPose(s->grasp, s->q), placement)) return;
+  try {
+    if (!world_->locate(contexts_.lease()->objectPose(s->grasp, s->q), placement)) return;
+  } catch (const std::exception& e) {
+    search_->fail(e.what());
+    return;
+  }
   placement.arm = s->grasp;
   const std::lock_guard<std::mutex> lock(search_->mutex);
   if (search_->sampler != nullptr) search_->sampler->learnReached(placement);
@@ -168,7 +193,7 @@ unsigned int PlacementGoal::maxSampleCount() const {
 
 bool PlacementGoal::couldSample() const {
   const std::lock_guard<std::mutex> lock(search_->mutex);
-  return search_->sampler != nullptr && search_->problem.empty() && !search_->exhausted;
+  return !search_->ended();
 }
 
 double PlacementGoal::distanceGoal(const ob::State* state) const {
@@ -182,7 +207,8 @@ double PlacementGoal::distanceGoal(const ob::State* state) const {
     if (!context->objectFree(X_WO)) failed += 1.0;
     if (!(objective_->value(X_WO) > objectiveThreshold())) failed += 1.0;
     return failed;
-  } catch (const std::exception&) {
+  } catch (const std::exception& e) {
+    search_->fail(e.what());
     return kInfinity;
   }
 }
