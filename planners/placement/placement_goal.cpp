@@ -46,6 +46,7 @@ struct PlacementGoal::Search {
     PlacementSampler::Branch branch = 0;
     double threshold = 0.0;
     std::uint64_t seed = 0;
+    std::uint64_t epoch = 0;  ///< draws from before the last seed() teach nothing
   };
 
   bool ended() const { return sampler == nullptr || exhausted || !problem.empty(); }
@@ -61,6 +62,7 @@ struct PlacementGoal::Search {
       return false;
     }
     draw.seed = random();
+    draw.epoch = epoch;
     return true;
   }
 
@@ -68,8 +70,10 @@ struct PlacementGoal::Search {
   bool learn(const Draw& draw, const PlacementOutcome& outcome, const PlacementOptions& options,
              const PlacementObjective& objective) {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (sampler != nullptr) sampler->learn(draw.branch, outcome);
-    countOutcome(outcome, options, statistics);
+    if (draw.epoch == epoch) {
+      sampler->learn(draw.branch, outcome);
+      countOutcome(outcome, options, statistics);
+    }
     if (objective.failed()) problem = objective.problem();
     return outcome.valid() && problem.empty();
   }
@@ -85,6 +89,7 @@ struct PlacementGoal::Search {
   PlacementStatistics statistics;
   bool exhausted = false;
   std::string problem;
+  std::uint64_t epoch = 0;
 };
 
 PlacementGoal::PlacementGoal(const ob::SpaceInformationPtr& si, std::shared_ptr<const PlacementWorld> world,
@@ -118,6 +123,7 @@ void PlacementGoal::seed(std::uint64_t seed) {
   search_->statistics = {};
   search_->exhausted = false;
   search_->problem = empty;
+  ++search_->epoch;
 }
 
 void PlacementGoal::setObjectiveThreshold(double threshold) {
