@@ -14,12 +14,12 @@ namespace {
 constexpr int kSchema = 1;
 
 template <class Vector>
-nlohmann::json json(const Vector& v) {
+nlohmann::ordered_json json(const Vector& v) {
   return std::vector<double>(v.data(), v.data() + v.size());
 }
 
-nlohmann::json points(const std::vector<Eigen::Vector3d>& list) {
-  nlohmann::json array = nlohmann::json::array();
+nlohmann::ordered_json points(const std::vector<Eigen::Vector3d>& list) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
   for (const Eigen::Vector3d& p : list) array.push_back(json(p));
   return array;
 }
@@ -34,13 +34,13 @@ void writeSurfaces(const std::string& file, const Scene& scene, const PlacementG
       {"volume", {{"min_m", json(scene.place->min_m)}, {"max_m", json(scene.place->max_m)}}},
       {"cell_m", scene.place->cell_m}};
   for (const char* list : {"obstacles", "shapes", "regions", "faces"})
-    document[list] = nlohmann::json::array();
+    document[list] = nlohmann::ordered_json::array();
   for (const Obstacle& obstacle : scene.obstacles)
     document["obstacles"].push_back(
         {{"name", obstacle.name}, {"points_m", points(hullPoints({obstacle.shape}))}});
   for (const PlacedShape& shape : scene.object) document["shapes"].push_back(points(hullPoints({shape})));
   for (const ContactRegion& region : geometry.surfaces().regions()) {
-    nlohmann::json cells = nlohmann::json::array();
+    nlohmann::ordered_json cells = nlohmann::ordered_json::array();
     for (const Eigen::Vector2d& cell : region.cells) cells.push_back(json(cell));
     document["regions"].push_back({{"height_m", region.height_m}, {"cells_m", std::move(cells)}});
   }
