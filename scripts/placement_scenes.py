@@ -164,7 +164,6 @@ OBJECTS = {
 
 def side_grasp(tcp, tilt: float, opening: float) -> Grasp:
     """From the object's -x side, tilted down by `tilt`, closing along y."""
-    # x of T = y x z with z = (cos t, 0, -sin t): a turn about y by pi/2 + t, then about the approach axis by nothing.
     half = (math.pi / 2 + tilt) / 2
     return Grasp(tcp, (math.cos(half), 0, math.sin(half), 0), opening)
 

@@ -17,7 +17,7 @@ struct PlacementOptions {
   PlacementSampling sampling = PlacementSampling::kTreeSearch;
   double exploration = 0.5;  ///< c of UCB1; >= 0
   unsigned attempts = 200;   ///< draws per goal sample; > 0
-  unsigned ik_attempts = 8;  ///< attempts of inverse kinematics per answer; > 0
+  unsigned ik_attempts = 16;  ///< attempts of inverse kinematics per answer; > 0
   unsigned postures = 3;     ///< answers tried per pose until the arm is free; > 0
   bool pose_first = true;    ///< test the pose before inverse kinematics; false: the authors' order
   bool hand_first = true;    ///< test the hand alone before inverse kinematics

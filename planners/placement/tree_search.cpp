@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr std::size_t kMostNodes = 500000;  ///< about 100 MB
+
 /// UCB1's share for exploration.
 double bonus(double exploration, double parent_visits, double visits) {
   return exploration * std::sqrt(2.0 * std::log(std::max(1.0, parent_visits)) / visits);
@@ -104,12 +106,17 @@ TreeSearch::Branch TreeSearch::selectChild(Branch branch, double threshold, std:
   }
 }
 
+bool TreeSearch::descends(Branch branch) {
+  const Node& n = node(branch);
+  if (n.afr.depth < AfrHierarchy::kFullyChosen) return true;
+  if (n.visits <= 0.0 || hierarchy_.childCount(n.afr) == 0) return false;
+  return nodes_.size() < kMostNodes || (n.expanded && n.untried.empty());
+}
+
 bool TreeSearch::draw(std::mt19937_64& random, double threshold, Placement& placement, Branch& branch) {
   while (open(0, threshold)) {
     branch = 0;
-    while (branch >= 0 && (node(branch).afr.depth < AfrHierarchy::kFullyChosen ||
-                           (node(branch).visits > 0.0 && hierarchy_.childCount(node(branch).afr) > 0)))
-      branch = selectChild(branch, threshold, random);
+    while (branch >= 0 && descends(branch)) branch = selectChild(branch, threshold, random);
     if (branch < 0) continue;  // a node on the way has been closed
     placement = hierarchy_.sample(node(branch).afr, random);
     return true;

@@ -45,6 +45,9 @@ class TreeSearch : public PlacementSampler {
   Branch addChild(Branch branch, std::size_t place);
   Branch addRandomChild(Branch branch, std::mt19937_64& random);
   bool open(Branch branch, double threshold);
+  /// Whether a draw goes on to a child: always above the regions, below them from nodes that have been drawn
+  /// from, while the tree may grow or need not.
+  bool descends(Branch branch);
   Branch selectChild(Branch branch, double threshold, std::mt19937_64& random);
   void reward(Branch branch, double amount);
 
