@@ -208,7 +208,8 @@ TEST(TreeSearch, LearnsFromWhatWasReachedByOtherMeans) {
     auto world = std::make_shared<ToyPlacement>();
     world->object_free = [](double, double, double) { return false; };
     const ToyProblem problem(world);
-    TreeSearch search(*problem.world, *flat(), {});
+    const auto objective = flat();
+    TreeSearch search(*problem.world, *objective, {});
     std::mt19937_64 random(3);
     const auto learn = [&](int draws) {
       int inside = 0;
