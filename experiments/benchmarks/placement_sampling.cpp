@@ -7,6 +7,9 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -55,9 +58,20 @@ struct Outcome {
   double draws = 0.0;
 };
 
-double quantile(std::vector<double> values, double share) {
+/// Median and quartiles; a run that found nothing is the worst.
+std::string quartiles(std::vector<double> values, bool more_is_better, int decimals) {
+  const double worst = (more_is_better ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
+  for (double& value : values)
+    if (std::isnan(value)) value = worst;
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+  const auto at = [&](double share) {
+    const double value =
+        values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(decimals) << value;
+    return std::isinf(value) ? std::string("none") : text.str();
+  };
+  return at(0.5) + " (" + at(0.25) + " ... " + at(0.75) + ")";
 }
 
 Outcome runOnce(const PlacementProblem& problem, const PlacementOptions& options, std::uint64_t seed,
@@ -84,23 +98,18 @@ Outcome runOnce(const PlacementProblem& problem, const PlacementOptions& options
   return outcome;
 }
 
-void report(const std::string& scene, const std::string& sense, const Variant& variant,
-            const std::vector<Outcome>& all) {
-  std::vector<double> first_s, first_draws, best, draws;
-  for (const Outcome& one : all) {
-    const bool found = !std::isnan(one.first_s);
-    first_s.push_back(found ? one.first_s : 1e9);
-    first_draws.push_back(found ? one.first_draws : 1e9);
-    best.push_back(found ? one.best : -1e9);
-    draws.push_back(one.draws);
-  }
-  std::cout << scene << ' ' << sense << " | " << variant.name << std::fixed << " | first "
-            << std::setprecision(2) << 1e3 * quantile(first_s, 0.5) << " ms ("
-            << 1e3 * quantile(first_s, 0.25) << " ... " << 1e3 * quantile(first_s, 0.75) << "), "
-            << std::setprecision(0) << quantile(first_draws, 0.5) << " draws | objective "
-            << std::setprecision(2) << 1e3 * quantile(best, 0.5) << " mm (" << 1e3 * quantile(best, 0.25)
-            << " ... " << 1e3 * quantile(best, 0.75) << ") | " << std::setprecision(0) << quantile(draws, 0.5)
-            << " draws" << std::endl;
+void report(const std::string& task, const Variant& variant, const std::vector<Outcome>& all) {
+  const auto column = [&](auto value) {
+    std::vector<double> values;
+    std::transform(all.begin(), all.end(), std::back_inserter(values), value);
+    return values;
+  };
+  std::cout << task << " | " << variant.name << " | first "
+            << quartiles(column([](const Outcome& o) { return 1e3 * o.first_s; }), false, 2) << " ms, "
+            << quartiles(column([](const Outcome& o) { return o.first_draws; }), false, 0) << " draws | best "
+            << quartiles(column([](const Outcome& o) { return 1e3 * o.best; }), true, 2) << " mm | "
+            << quartiles(column([](const Outcome& o) { return o.draws; }), false, 0) << " draws in all"
+            << std::endl;
 }
 
 void measure(const std::string& name, int seeds, double limit_s) {
@@ -114,7 +123,7 @@ void measure(const std::string& name, int seeds, double limit_s) {
       std::vector<Outcome> all;
       for (int seed = 1; seed <= seeds; ++seed)
         all.push_back(runOnce(problem, variant.options, static_cast<std::uint64_t>(seed), limit_s));
-      report(scene.name, sense, variant, all);
+      report(scene.name + ' ' + sense, variant, all);
     }
   }
 }
