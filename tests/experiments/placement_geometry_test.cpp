@@ -92,8 +92,9 @@ TEST(OccupancyGrid, OccupiesWhatEveryKindOfShapeOverlapsByTheVerifiersDistances)
       const double apart =
           verification::separation(cell_body, X, body, placed.X_BS, Eigen::Vector3d::UnitX()).distance_m;
       occupied += grid.occupied(cell);
-      if (apart > kUndecided) EXPECT_FALSE(grid.occupied(cell)) << shape.index() << " " << cell.transpose();
-      if (apart < -1e-9) EXPECT_TRUE(grid.occupied(cell)) << shape.index() << " " << cell.transpose();
+      if (apart > kUndecided || apart < -1e-9) {
+        EXPECT_EQ(grid.occupied(cell), apart < 0.0) << shape.index() << " " << cell.transpose();
+      }
     });
     EXPECT_GT(occupied, 100);
   }
