@@ -12,17 +12,25 @@ enum class PlacementSampling {
   kUniformArea,      ///< arm and face uniform, all cells of all regions alike
 };
 
+enum class PlacementReward {
+  kPaper,   ///< Eq. 3: a quarter for each of stable, object free, better and arm free; 0 or 1 at leaves
+  kStaged,  ///< 1 for a valid draw; else 1/4, 1/8, 1/16, 1/32 by the last test it passed: what fails late
+            ///< says little about success, and stays small beside it
+};
+
 /// How placements are drawn.
 struct PlacementOptions {
   PlacementSampling sampling = PlacementSampling::kTreeSearch;
-  double exploration = 0.5;  ///< c of UCB1; >= 0
-  unsigned attempts = 200;   ///< draws per goal sample; > 0
+  double exploration = 0.5;   ///< c of UCB1; >= 0
+  unsigned attempts = 200;    ///< draws per goal sample; > 0
   unsigned ik_attempts = 16;  ///< attempts of inverse kinematics per answer; > 0
-  unsigned postures = 3;     ///< answers tried per pose until the arm is free; > 0
-  bool pose_first = true;    ///< test the pose before inverse kinematics; false: the authors' order
-  bool hand_first = true;    ///< test the hand alone before inverse kinematics
-  bool prune = true;         ///< leave out branches whose bound cannot beat the objective's threshold
-  double discount = 1.0;     ///< factor on all visits and rewards when the threshold rises; in (0, 1]
+  unsigned postures = 3;      ///< answers tried per pose until the arm is free; > 0
+  bool pose_first = true;     ///< test the pose before inverse kinematics; false: the authors' order
+  bool hand_first = true;     ///< test the hand alone before inverse kinematics
+  bool prune = true;          ///< leave out branches whose bound cannot beat the objective's threshold
+  PlacementReward reward = PlacementReward::kStaged;
+  bool take_back = true;  ///< take rewards back that the rising threshold has made worthless
+  double discount = 1.0;  ///< factor on all visits and rewards when the threshold rises; in (0, 1]
 
   /// What is out of range, with the value; empty when nothing is.
   std::string problem() const;
