@@ -142,10 +142,9 @@ double TreeSearch::rewardOf(const PlacementOutcome& outcome, bool leaf) const {
                        static_cast<int>(outcome.stable) + static_cast<int>(outcome.better);
     return leaf ? 0.0 : kShare * passed;
   }
-  if (outcome.better && outcome.reachable) return 1.0 / 4.0;
-  if (outcome.better && outcome.hand_free) return 1.0 / 8.0;
-  if (outcome.better) return 1.0 / 16.0;
-  return outcome.stable && outcome.object_free ? 1.0 / 32.0 : 0.0;
+  if (!outcome.stable || !outcome.object_free) return 0.0;
+  const int tests_missed = !outcome.better ? 3 : !outcome.hand_free ? 2 : !outcome.reachable ? 1 : 0;
+  return std::ldexp(options_.stage, -tests_missed);
 }
 
 void TreeSearch::learn(Branch branch, const PlacementOutcome& outcome) {

@@ -118,7 +118,7 @@ TEST(PlacementGoal, SamplesPassAllTestsAndBeatARisingThreshold) {
         const double threshold = 0.05 * i;
         goal->setObjectiveThreshold(threshold);
         for (int j = 0; j < 5; ++j) {
-          ASSERT_TRUE(goal->sample(state.get(), 5000));
+          ASSERT_TRUE(goal->sample(state.get(), 50000)) << static_cast<int>(sampling) << " " << threshold;
           expectGood(*state.get(), threshold);
           EXPECT_DOUBLE_EQ(goal->objective(state.get()), state->q[1]);
           EXPECT_TRUE(goal->isSatisfied(state.get()));
@@ -365,6 +365,7 @@ TEST(PlacementGoal, RefusesWhatMakesNoSense) {
   refused([](PlacementOptions& o) { o.ik_attempts = 0; });
   refused([](PlacementOptions& o) { o.postures = 0; });
   refused([](PlacementOptions& o) { o.discount = 0.0; });
+  refused([](PlacementOptions& o) { o.stage = 1.1; });
   EXPECT_THROW(problem.goal(nullptr), std::invalid_argument);
   EXPECT_THROW(CallableObjective(nullptr), std::invalid_argument);
 }
