@@ -28,7 +28,7 @@ struct PlacementOptions {
   unsigned postures = 3;      ///< answers tried per pose until the arm is free; > 0
   bool pose_first = true;     ///< test the pose before inverse kinematics; false: the authors' order
   bool hand_first = true;     ///< test the hand alone before inverse kinematics
-  bool prune = true;          ///< leave out branches whose bound cannot beat the objective's threshold
+  bool prune = false;         ///< leave out branches whose bound cannot beat the objective's threshold
   PlacementReward reward = PlacementReward::kStaged;
   double stage = 1.0 / 16.0;  ///< see kStaged; in [0, 1]
   bool take_back = true;      ///< take rewards back that the rising threshold has made worthless
