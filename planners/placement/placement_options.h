@@ -31,7 +31,7 @@ struct PlacementOptions {
   bool prune = false;         ///< leave out branches whose bound cannot beat the objective's threshold
   PlacementReward reward = PlacementReward::kStaged;
   double stage = 1.0 / 16.0;  ///< see kStaged; in [0, 1]
-  bool take_back = true;      ///< take rewards back that the rising threshold has made worthless
+  bool take_back = false;     ///< take rewards back that the rising threshold has made worthless
   double discount = 1.0;      ///< factor on all visits and rewards when the threshold rises; in (0, 1]
 
   /// What is out of range, with the value; empty when nothing is.
