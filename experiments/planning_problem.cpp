@@ -36,6 +36,9 @@ struct ProblemMaker {
   std::unique_ptr<PlanningProblem> operator()(const ReachTask& task) const {
     return std::make_unique<ReachProblem>(scene, task, checker);
   }
+  std::unique_ptr<PlanningProblem> operator()(const PlacementTask&) const {
+    throw InputError(scene.file, "place", "is a task of placement, which `b4p place` plans");
+  }
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/pick_place_task.h"
+#include "experiments/placement/placement_task.h"
 #include "experiments/reach_task.h"
 #include "robots/input_error.h"
 #include "robots/manipulator.h"
@@ -22,10 +23,13 @@ struct RobotFile {
 };
 
 /// In the order of Scene::task.
-enum class TaskKind { kPickPlace, kReach };
+enum class TaskKind { kPickPlace, kReach, kPlacement };
 
 /// As messages call it.
-inline std::string nameOf(TaskKind kind) { return kind == TaskKind::kReach ? "reaching" : "pick and place"; }
+inline std::string nameOf(TaskKind kind) {
+  if (kind == TaskKind::kPickPlace) return "pick and place";
+  return kind == TaskKind::kReach ? "reaching" : "placement";
+}
 
 /// A task with all around it, as its file describes it (experiments/scenes/*.yaml).
 struct Scene {
@@ -36,16 +40,25 @@ struct Scene {
   std::vector<Obstacle> obstacles;
   double edge_step_m = 0.01;
   double budget_s = 10.0;  ///< the scene's usual time limit
-  std::variant<PickPlaceTask, ReachTask> task;
+  std::variant<PickPlaceTask, ReachTask, PlacementTask> task;
 
   TaskKind kind() const { return static_cast<TaskKind>(task.index()); }
 
   /// The task of a scene that has to be one of pick and place. @throws InputError for another
   const PickPlaceTask& pickPlace() const {
     if (const auto* found = std::get_if<PickPlaceTask>(&task)) return *found;
-    throw InputError(file, "reach", "is a task of reaching; one of pick and place is needed here");
+    const bool reach = kind() == TaskKind::kReach;
+    throw InputError(file, reach ? "reach" : "place",
+                     "is a task of " + nameOf(kind()) + "; one of pick and place is needed here");
   }
   PickPlaceTask& pickPlace() { return const_cast<PickPlaceTask&>(std::as_const(*this).pickPlace()); }
+
+  /// The task of a scene that has to be one of placement. @throws InputError for another
+  const PlacementTask& placing() const {
+    if (const auto* found = std::get_if<PlacementTask>(&task)) return *found;
+    throw InputError(file, "place", "is missing: this is no placement task");
+  }
+  PlacementTask& placing() { return const_cast<PlacementTask&>(std::as_const(*this).placing()); }
 };
 
 /// Loads a scene by path, or by name from the scenes that ship with b4p.

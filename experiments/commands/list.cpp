@@ -42,6 +42,10 @@ struct Account {
     return "reaching: " + std::to_string(task.X_WT.size()) +
            (task.orientation_free ? " position" : " grasp") + (several ? "s" : "");
   }
+  std::string operator()(const PlacementTask& task) const {
+    return "placement of " + task.object_name + ": " + std::to_string(task.arms.size()) +
+           (task.arms.size() == 1 ? " arm" : " arms");
+  }
 };
 
 void listScenes() {
@@ -85,7 +89,7 @@ void addListCommand(CLI::App& app, Run& run) {
       ->callback([&run] {
         run = [] {
           listScenes();
-          listPlanners();
+                  listPlanners();
           return kSolved;
         };
       });

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "experiments/placement/placement_file.h"
 #include "experiments/scene_files/data_files.h"
 #include "experiments/scene_files/shape_reader.h"
 #include "experiments/scene_files/task_readers.h"
@@ -16,6 +17,7 @@ constexpr int kSceneSchema = 1;
 constexpr double kFinestStep_m = 1e-5, kCoarsestStep_m = 0.5;
 constexpr const char* kSceneFolder = "experiments/scenes";
 constexpr const char* kReach = "reach";
+constexpr const char* kPlace = "place";
 const std::vector<const char*> kPickPlaceKeys{"contact_clearance_m", "object", "grasps", "placement"};
 
 RobotFile readRobot(const YamlValue& name, const std::string& scene_file) {
@@ -63,8 +65,10 @@ Scene loadScene(const std::string& name_or_path) {
   document.requireSchema(kSceneSchema);
   std::vector<const char*> keys{"schema",      "name",     "robot",     "robot_base",
                                 "edge_step_m", "budget_s", "generated", "obstacles"};
-  const std::vector<const char*> task_keys =
-      document.has(kReach) ? std::vector<const char*>{kReach} : kPickPlaceKeys;
+  const auto place = document.find(kPlace);
+  const std::vector<const char*> task_keys = document.has(kReach) ? std::vector<const char*>{kReach}
+                                             : place              ? std::vector<const char*>{kPlace, "object"}
+                                                                  : kPickPlaceKeys;
   keys.insert(keys.end(), task_keys.begin(), task_keys.end());
   document.allowKeys(keys);
   if (const auto generated = document.find("generated")) checkGenerated(*generated);
@@ -80,6 +84,8 @@ Scene loadScene(const std::string& name_or_path) {
   scene.obstacles = readObstacles(document["obstacles"]);
   if (const auto reach = document.find(kReach))
     scene.task = readReachTask(*reach, scene);
+  else if (place)
+    scene.task = readPlacementTask(*place, document["object"], scene);
   else
     scene.task = readPickPlaceTask(document, scene);
   return scene;
