@@ -13,6 +13,7 @@
 #include "planners/baselines/rrt_individual.h"
 #include "planners/baselines/rrt_restart.h"
 #include "planners/baselines/rrt_shared.h"
+#include "planners/placement/redirectable_rrt_connect.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -80,6 +81,10 @@ PlannerCatalogue PlannerCatalogue::standard() {
       {"rrt-restart",
        "a race of RRT-Connects over pairs of grasp and placement, in slices that grow; none is dropped", 0,
        make<RRTRestart>});
+  catalogue.add({"redirectable-rrtconnect",
+                 "RRT-Connect per grasp, in slices, whose goals can be added and removed while it keeps its "
+                 "trees",
+                 0, make<RedirectableRRTConnect>});
   catalogue.add({"rrtconnect",
                  "OMPL's RRTConnect on joints x grasp, all picks as starts, placements as goals", kManyStarts,
                  make<ompl::geometric::RRTConnect>});
@@ -96,7 +101,7 @@ const PlannerKind& PlannerCatalogue::find(const std::string& name, const std::st
 }
 
 std::string parameterMeaning(const ob::Planner& planner, const std::string& name) {
-  if (dynamic_cast<const ParallelPlanner*>(&planner) == nullptr) return "";
+  if (dynamic_cast<const GuardedPlanner*>(&planner) == nullptr) return "";
   static const std::map<std::string, std::string> meanings{
       {kThreads, "parallel workers (count); set by --threads"},
       {kPaper, "1: the algorithm as printed; set by the planner's name"},
@@ -106,7 +111,8 @@ std::string parameterMeaning(const ob::Planner& planner, const std::string& name
       {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
       {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
       {"slice",
-       "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},
+       "first turn of growth of a grasp's trees before others have theirs (iterations); b4p and "
+       "redirectable-rrtconnect: every turn"},
       {"root_attempts",
        "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},
       {"repair_iterations", "local replanning per colliding stretch before a repair fails (iterations)"},

@@ -24,7 +24,7 @@ using PlannerParameters = std::map<std::string, std::string>;
 /// The planners there are, in the order they are listed.
 class PlannerCatalogue {
  public:
-  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect.
+  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, redirectable-rrtconnect, rrtconnect.
   static PlannerCatalogue standard();
 
   void add(PlannerKind kind) { kinds_.push_back(std::move(kind)); }

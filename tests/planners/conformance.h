@@ -13,6 +13,7 @@
 #include "planners/baselines/rrt_individual.h"
 #include "planners/baselines/rrt_restart.h"
 #include "planners/baselines/rrt_shared.h"
+#include "planners/placement/redirectable_rrt_connect.h"
 
 namespace b4p::test {
 
@@ -61,6 +62,10 @@ inline std::vector<PlannerCase> plannerCases() {
     cases.push_back(sharedCase(threads));
     cases.push_back(plannerCase<RRTRestart>("RRTRestart", RRTRestartParameters{}, threads));
   }
+  const auto redirectable = [](const ompl::base::SpaceInformationPtr& si) {
+    return std::make_shared<RedirectableRRTConnect>(si);
+  };
+  cases.push_back({"RedirectableRRTConnect", 1, redirectable});
   return cases;
 }
 
