@@ -56,6 +56,7 @@ void addPlanningParts(Problem& problem) {
 }  // namespace
 
 Problem makeProblem(const Scene& scene) {
+  if (scene.place) throw InputError(scene.file, "place", "a placement task is no pick-and-place task");
   Problem problem;
   problem.scene = scene;
   problem.robot = std::make_shared<Manipulator>(loadUrdf(scene.robot.urdf_file), scene.robot.description,

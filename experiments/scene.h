@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/placement/placement_task.h"
 #include "robots/grasp.h"
 #include "robots/manipulator.h"
 #include "state_validity/collision_checker.h"
@@ -59,6 +61,7 @@ struct Scene {
   Eigen::Isometry3d X_WO_start = Eigen::Isometry3d::Identity();
   GraspSource grasps;
   PlacementSource placement;
+  std::optional<PlacementTask> place;  ///< in place of start pose, grasps and placement
   double edge_step_m = 0.01;
   double contact_clearance_m = 0.0;  ///< the least distance of the held object from obstacles at the start
                                      ///< pose; preflight() checks it

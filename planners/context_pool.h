@@ -23,6 +23,7 @@ class ContextPool {
     Lease(const Lease&) = delete;
     Lease& operator=(const Lease&) = delete;
     Context* operator->() const { return context_.get(); }
+    Context& operator*() const { return *context_; }
 
    private:
     ContextPool& pool_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/placement/placement_file.h"
 #include "experiments/scene_files/data_files.h"
 #include "experiments/scene_files/shape_reader.h"
 #include "experiments/scene_files/yaml_value.h"
@@ -40,11 +41,15 @@ std::vector<Obstacle> readObstacles(const YamlValue& list) {
   return obstacles;
 }
 
-void readObject(const YamlValue& object, Scene& scene) {
-  object.allowKeys({"name", "shapes", "start"});
+void readObject(const YamlValue& object, bool held, Scene& scene) {
+  if (held)
+    object.allowKeys({"name", "shapes"});
+  else
+    object.allowKeys({"name", "shapes", "start"});
   scene.object_name = object["name"].text();
   for (const YamlValue& shape : object["shapes"].items()) scene.object.push_back(readPlacedShape(shape, {}));
   if (scene.object.empty()) object["shapes"].fail("is empty");
+  if (held) return;
   const YamlValue start = object["start"];
   start.allowKeys({"position_m", "rpy_rad", "quaternion_wxyz"});
   scene.X_WO_start = poseFrom(start);
@@ -132,11 +137,14 @@ void checkGenerated(const YamlValue& generated) {
 
 void readSettings(const YamlValue& document, Scene& scene) {
   scene.edge_step_m = document["edge_step_m"].number(kFinestStep_m, kCoarsestStep_m);
+  scene.budget_s = document["budget_s"].positive();
+}
+
+void readContact(const YamlValue& document, Scene& scene) {
   const YamlValue clearance = document["contact_clearance_m"];
   scene.contact_clearance_m = clearance.number(0.0, kFarthest_m);
   if (scene.contact_clearance_m < scene.edge_step_m / 2.0)
     clearance.failWithValue("is less than half of edge_step_m, so the object would touch its support");
-  scene.budget_s = document["budget_s"].positive();
 }
 
 }  // namespace
@@ -145,8 +153,13 @@ Scene loadScene(const std::string& name_or_path) {
   const std::string file = shippedFile(kSceneFolder, "scene", name_or_path);
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSceneSchema);
-  document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m",
-                      "budget_s", "generated", "obstacles", "object", "grasps", "placement"});
+  const auto place = document.find("place");
+  if (place)
+    document.allowKeys(
+        {"schema", "name", "robot", "robot_base", "edge_step_m", "budget_s", "obstacles", "object", "place"});
+  else
+    document.allowKeys({"schema", "name", "robot", "robot_base", "edge_step_m", "contact_clearance_m",
+                        "budget_s", "generated", "obstacles", "object", "grasps", "placement"});
   if (const auto generated = document.find("generated")) checkGenerated(*generated);
   Scene scene;
   scene.file = file;
@@ -158,7 +171,12 @@ Scene loadScene(const std::string& name_or_path) {
   }
   readSettings(document, scene);
   scene.obstacles = readObstacles(document["obstacles"]);
-  readObject(document["object"], scene);
+  readObject(document["object"], place.has_value(), scene);
+  if (place) {
+    scene.place = readPlacementTask(*place, scene);
+    return scene;
+  }
+  readContact(document, scene);
   scene.grasps = readGrasps(document["grasps"], scene.robot.description.max_opening_m);
   scene.placement = readPlacement(document["placement"]);
   return scene;

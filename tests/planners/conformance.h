@@ -51,6 +51,13 @@ inline PlannerCase sharedCase(unsigned threads) {
   return plannerCase<RRTShared>("RRTShared", parameters, threads);
 }
 
+inline PlannerCase redirectableCase() {
+  const auto make = [](const ompl::base::SpaceInformationPtr& si) {
+    return std::make_shared<RedirectableRRTConnect>(si);
+  };
+  return {"RedirectableRRTConnect", 1, make};
+}
+
 inline std::vector<PlannerCase> plannerCases() {
   std::vector<PlannerCase> cases;
   for (const unsigned threads : {1u, 2u, 4u, 8u}) {
@@ -62,10 +69,7 @@ inline std::vector<PlannerCase> plannerCases() {
     cases.push_back(sharedCase(threads));
     cases.push_back(plannerCase<RRTRestart>("RRTRestart", RRTRestartParameters{}, threads));
   }
-  const auto redirectable = [](const ompl::base::SpaceInformationPtr& si) {
-    return std::make_shared<RedirectableRRTConnect>(si);
-  };
-  cases.push_back({"RedirectableRRTConnect", 1, redirectable});
+  cases.push_back(redirectableCase());
   return cases;
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/placement/clearance_objective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace b4p {
+
+ClearanceObjective::ClearanceObjective(std::shared_ptr<const DistanceField> field,
+                                       std::vector<Eigen::Vector3d> points_O, ClearanceGoal goal)
+    : field_(std::move(field)), points_O_(std::move(points_O)), goal_(goal) {
+  if (field_ == nullptr || points_O_.empty())
+    throw std::invalid_argument("clearance needs a distance field and points of the object");
+}
+
+double ClearanceObjective::clearance(const Eigen::Isometry3d& X_WO) const {
+  double sum = 0.0;
+  for (const Eigen::Vector3d& p_O : points_O_) sum += field_->at(X_WO * p_O);
+  return sum / static_cast<double>(points_O_.size());
+}
+
+double ClearanceObjective::evaluate(const Eigen::Isometry3d& X_WO) const {
+  const double c = clearance(X_WO);
+  return goal_ == ClearanceGoal::kLargest ? c : -c;
+}
+
+double ClearanceObjective::upperBound(const PoseNeighbourhood& poses) const {
+  constexpr double kPi = 3.14159265358979323846, kRounding_m = 1e-6;
+  double value = 0.0, arm = 0.0;
+  for (const Eigen::Vector3d& p_O : points_O_) {
+    const Eigen::Vector3d p_W = poses.X_WO * p_O;
+    value += field_->at(p_W);
+    arm += (p_W - poses.p_WV).head<2>().norm();
+  }
+  const auto count = static_cast<double>(points_O_.size());
+  const double chord = 2.0 * arm / count * std::sin(std::min(poses.half_angle_rad, kPi) / 2.0);
+  const double way = poses.radius_m + chord;
+  const double change = std::min(std::sqrt(2.0) * way, way + field_->gridError_m());
+  return (goal_ == ClearanceGoal::kLargest ? value : -value) / count + change + kRounding_m;
+}
+
+}  // namespace b4p
