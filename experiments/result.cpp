@@ -20,13 +20,6 @@ void requireFinite(double number, const char* name) {
 
 Json listOf(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-Json toJson(const Eigen::Isometry3d& X, const char* name) {
-  requireFinite(X.matrix().sum(), name);
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back(listOf(X.linear().row(i)));
-  return {{"position_m", listOf(X.translation())}, {"rotation", rows}};
-}
-
 Json toJson(const Verification& verification) {
   requireFinite(verification.step_m, "verification.step_m");
   requireFinite(verification.clearance_m, "verification.clearance_m");
@@ -72,9 +65,16 @@ void readMotion(const JsonValue& root, PlanResult& result) {
 
 }  // namespace
 
+Json poseJson(const Eigen::Isometry3d& X, const char* name) {
+  requireFinite(X.matrix().sum(), name);
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back(listOf(X.linear().row(i)));
+  return {{"position_m", listOf(X.translation())}, {"rotation", rows}};
+}
+
 Json graspJson(const Grasp& grasp) {
   requireFinite(grasp.opening_m, "grasp.opening_m");
-  return {{"X_OT", toJson(grasp.X_OT, "grasp.X_OT")}, {"opening_m", grasp.opening_m}};
+  return {{"X_OT", poseJson(grasp.X_OT, "grasp.X_OT")}, {"opening_m", grasp.opening_m}};
 }
 
 Grasp graspFrom(const JsonValue& value) {
@@ -102,8 +102,8 @@ Json resultJson(const PlanResult& result) {
           {"solved", result.solved},
           {"grasp_id", result.grasp_id},
           {"grasp", graspJson(result.grasp)},
-          {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
-          {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")},
+          {"X_WO_pick", poseJson(result.X_WO_pick, "X_WO_pick")},
+          {"X_WO_place", poseJson(result.X_WO_place, "X_WO_place")},
           {"joint_names", result.joint_names},
           {"path", result.path},
           {"verification", toJson(result.verification)}};

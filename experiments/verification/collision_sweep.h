@@ -42,6 +42,7 @@ class CollisionSweep {
   /// @throws std::length_error when it has more than kMostSteps
   std::optional<Contact> firstContact(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2);
 
+  double step_m() const { return step_m_; }
   long samples() const { return samples_; }  ///< configurations covered so far
   /// Smallest distance at any of them (m); 0 when nothing could touch.
   double clearance_m() const;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 
 #include "planners/manipulation_state_space.h"
 
@@ -17,13 +17,15 @@ using StateType = ManipulationStateSpace::StateType;
 using Jacobian = PlacementContext::Jacobian;
 using Twist = Eigen::Matrix<double, 6, 1>;
 
-/// J+ twist, or nothing where J has a rank below 6.
+/// J+ twist = J^T (J J^T)^-1 twist, or nothing where J has a rank below 6.
 Eigen::VectorXd solve(const Jacobian& J, const Twist& twist) {
   constexpr double kSmallestShare = 1e-3;  // of the largest singular value
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(kSmallestShare);
-  if (svd.rank() < 6) return {};
-  return svd.solve(twist);
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> squares(Matrix6d(J * J.transpose()));
+  const Twist& values = squares.eigenvalues();
+  if (!(values[0] > kSmallestShare * kSmallestShare * values[5])) return {};
+  const Matrix6d& axes = squares.eigenvectors();
+  return J.transpose() * (axes * (axes.transpose() * twist).cwiseQuotient(values));
 }
 
 /// The velocity of point p_WT of a body whose point p_WO has `linear` and which turns with `angular`.

@@ -124,18 +124,24 @@ ob::PlannerStatus PlacementPlanner::search(const ob::PlannerTerminationCondition
   }
   if (best_path_ && !pdef_->hasSolution()) publish(*best_path_, bestObjective());
   while (!ptc && !ranking_->isSatisfied(ob::Cost(bestObjective()))) {
-    if (!sampleGoal(ptc) && search_->idle() && !goal_->couldSample()) break;
+    const bool sampled = sampleGoal(ptc);
+    if (!problem().empty() || (!sampled && search_->idle() && !goal_->couldSample())) break;
     if (const auto reached = planMotion(ptc)) take(*reached);
   }
   return status();
 }
 
+/// What went wrong with the world or the objective, be it asked by the goal or by local optimisation.
+std::string PlacementPlanner::problem() const {
+  return goal_->objective().failed() ? goal_->objective().problem() : goal_->problem();
+}
+
 ob::PlannerStatus PlacementPlanner::status() const {
-  const std::string problem = goal_->problem();
-  if (!problem.empty() && draws_ > 0) throw std::runtime_error(problem);
+  const std::string why = problem();
+  if (!why.empty() && draws_ > 0) throw std::runtime_error(why);
   if (best_path_) return ob::PlannerStatus::EXACT_SOLUTION;
   if (goal_->couldSample()) return ob::PlannerStatus::TIMEOUT;
-  OMPL_ERROR("%s: %s", getName().c_str(), problem.empty() ? "there is no placement" : problem.c_str());
+  OMPL_ERROR("%s: %s", getName().c_str(), why.empty() ? "there is no placement" : why.c_str());
   return ob::PlannerStatus::INVALID_GOAL;
 }
 

@@ -71,6 +71,7 @@ class PlacementPlanner : public WithParameters<GuardedPlanner, PlacementPlannerP
   void take(const ReachedGoal& reached);
   void publish(const ompl::geometric::PathGeometric& path, double objective);
   void dropGoalsNoBetter();
+  std::string problem() const;
   ompl::base::PlannerStatus status() const;
 
   RedirectStatistics statistics_;

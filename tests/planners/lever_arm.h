@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <random>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,12 @@
 
 namespace b4p::test {
 
+/// How an arm holds the object, and how far it reaches.
+struct LeverArm {
+  Eigen::Vector3d p_TO{0.1, 0.0, -0.2};  ///< middle of the object's foot, seen from the TCP
+  double farthest_x_m = 10.0;            ///< of the TCP
+};
+
 /// A cylinder is put on a table among walls by lever arms: two links of 1.4 m in the plane y = 0 that pitch
 /// at shoulder (q0) and elbow (q2), slide along y as a whole (q1), and keep the wrist (yaw q3, pitch q4, roll
 /// q5) level. Everything is analytic. World frame on the middle of the table top, 2 m x 2 m.
@@ -28,16 +36,11 @@ struct LeverWorld : PlacementWorld {
     Eigen::Vector2d min, max;
     double height_m;
   };
-  struct Arm {
-    Eigen::Vector3d p_TO{0.1, 0.0, -0.2};  ///< middle of the object's foot, seen from the TCP
-    double farthest_x_m = 10.0;            ///< of the TCP
-  };
-
   static constexpr double kLink_m = 1.4, kBase_m = -1.6, kTable_m = 1.0, kRadius_m = 0.1;
   static constexpr double kTouch_m = 1e-3, kLevel_rad = 0.01;
 
   std::vector<Block> blocks;
-  std::vector<Arm> arms{{}, {{0.0, 0.1, -0.2}, 10.0}};
+  std::vector<LeverArm> arms{LeverArm{}, LeverArm{{0.0, 0.1, -0.2}, 10.0}};
   std::vector<ContactRegion> table = tableTop();
   bool stiff = false;  ///< true: the wrist cannot roll, as far as the Jacobian says
   std::function<void()> before_kinematics = [] {};
@@ -61,7 +64,7 @@ struct LeverWorld : PlacementWorld {
     return X_WT;
   }
 
-  const Arm& arm(GraspId number) const { return arms.at(static_cast<std::size_t>(number)); }
+  const LeverArm& arm(GraspId number) const { return arms.at(static_cast<std::size_t>(number)); }
 
   Eigen::Isometry3d objectAt(GraspId number, const double* q) const {
     return tcp(q) * Eigen::Translation3d(arm(number).p_TO);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What redirection promises: a goal that has been removed is never reported, what has grown from it is used
 // all the same, and whatever is removed and rooted anew, every edge of a tree can be gone in its direction.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -269,8 +270,8 @@ TEST(RedirectableSearch, PairThatTheProblemRefusesIsNotReported) {
 struct TwoModes {
   TwoModes() : setup(world()) {
     for (const GraspId grasp : {2, 3}) {
-      starts.push_back(at(2.0, 5.0, grasp));
-      goals.push_back(at(8.0, 5.0, grasp));
+      starts.push_back(at(2.0, 2.0, grasp));
+      goals.push_back(at(8.0, 2.0, grasp));
     }
   }
 
