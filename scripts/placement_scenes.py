@@ -168,10 +168,10 @@ def side_grasp(tcp, tilt: float, opening: float) -> Grasp:
     return Grasp(tcp, (math.cos(half), 0, math.sin(half), 0), opening)
 
 
-def from_yumi(position, quaternion, finger: float) -> Grasp:
+def from_yumi(position, quaternion, finger: float, shorter: float = 0.0) -> Grasp:
     """A published grasp of the YuMi's gripper base (which closes along x), for a hand whose TCP lies between
-    the finger tips 8.8 mm behind their ends."""
-    tip, behind = 0.135, 0.0088
+    the finger tips 8.8 mm behind their ends. The tips reach less far by `shorter`."""
+    tip, behind = 0.135 - shorter, 0.0088
     w, x, y, z = quaternion
     approach = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
     tcp = tuple(p + (tip - behind) * a for p, a in zip(position, approach))
@@ -190,9 +190,9 @@ def panda() -> Robot:
             "cabinet_sparse": ((0.05, -0.02, 0.0), yaw),
         },
         {
-            "large_crayons": from_yumi((-0.1654, 0.0250, -0.0056), (0.7200, 0.1240, 0.6775, -0.0842), 0.0185),
+            "large_crayons": from_yumi((-0.1654, 0.0250, -0.0056), (0.7200, 0.1240, 0.6775, -0.0842), 0.0185, 0.018),
             "small_crayons": from_yumi((-0.1333, -0.0018, 0.0911), (-0.2810, 0.6733, -0.6158, 0.2974), 0.0109),
-            "wine_glass": side_grasp((0.0, 0.0, 0.045), 0.5, 0.010),
+            "wine_glass": side_grasp((-0.003, 0.0, 0.032), 0.3, 0.010),
             "toy_table": side_grasp((-0.030, 0.0, 0.038), 0.5, 0.072),
         },
         (0, -0.785, 0, -2.356, 0, 1.571, 0.785),

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// placement_sampling [SEEDS [SECONDS [SCENE...]]]: how goal samplers do on placement scenes (all that ship).
-// Two lines per scene and sampler, over SEEDS (20) seeds: processor time and draws to the first valid sample,
-// and the objective reached within SECONDS (1) of processor time when each sample raises the threshold to its
-// own objective.
+// placement_sampling samplers|switches [SEEDS [SECONDS [SCENE...]]]: how goal samplers, or the tree search
+// with one switch changed at a time, do on placement scenes (all that ship). One line per scene, objective
+// and variant, over SEEDS (20) seeds: median and quartiles of processor time and draws to the first valid
+// sample, and of the objective reached within SECONDS (1) of processor time when each sample raises the
+// threshold to its own objective.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,26 +30,27 @@ struct Variant {
   PlacementOptions options;
 };
 
-std::vector<Variant> variants() {
-  const auto with = [](const std::string& name, auto change) {
-    Variant variant{name, {}};
-    change(variant.options);
-    return variant;
-  };
-  return {
-      with("tree search", [](PlacementOptions&) {}),
-      with("uniform children", [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformChildren; }),
-      with("uniform area", [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformArea; }),
-      with("inverse kinematics first", [](PlacementOptions& o) { o.pose_first = false; }),
-      with("no hand test", [](PlacementOptions& o) { o.hand_first = false; }),
-      with("no pruning", [](PlacementOptions& o) { o.prune = false; }),
-      with("pruning off, discount 0.5",
-           [](PlacementOptions& o) {
-             o.prune = false;
-             o.discount = 0.5;
-           }),
-      with("discount 0.5", [](PlacementOptions& o) { o.discount = 0.5; }),
-      with("one posture", [](PlacementOptions& o) { o.postures = 1; })};
+Variant variant(const std::string& name, void (*change)(PlacementOptions&)) {
+  Variant made{name, {}};
+  change(made.options);
+  return made;
+}
+
+std::vector<Variant> samplers() {
+  return {variant("tree search", [](PlacementOptions&) {}),
+          variant("uniform children",
+                  [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformChildren; }),
+          variant("uniform area", [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformArea; })};
+}
+
+std::vector<Variant> switches() {
+  return {variant("as it is", [](PlacementOptions&) {}),
+          variant("inverse kinematics first", [](PlacementOptions& o) { o.pose_first = false; }),
+          variant("no hand test", [](PlacementOptions& o) { o.hand_first = false; }),
+          variant("other pruning", [](PlacementOptions& o) { o.prune = !o.prune; }),
+          variant("discount 0.5", [](PlacementOptions& o) { o.discount = 0.5; }),
+          variant("one posture", [](PlacementOptions& o) { o.postures = 1; }),
+          variant("six postures", [](PlacementOptions& o) { o.postures = 6; })};
 }
 
 struct Outcome {
@@ -55,9 +60,20 @@ struct Outcome {
   double draws = 0.0;
 };
 
-double quantile(std::vector<double> values, double share) {
+/// Median and quartiles; a run that found nothing is the worst.
+std::string quartiles(std::vector<double> values, bool more_is_better, int decimals) {
+  const double worst = (more_is_better ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
+  for (double& value : values)
+    if (std::isnan(value)) value = worst;
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+  const auto at = [&](double share) {
+    const double value =
+        values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(decimals) << value;
+    return std::isinf(value) ? std::string("none") : text.str();
+  };
+  return at(0.5) + " (" + at(0.25) + " ... " + at(0.75) + ")";
 }
 
 Outcome runOnce(const PlacementProblem& problem, const PlacementOptions& options, std::uint64_t seed,
@@ -84,49 +100,50 @@ Outcome runOnce(const PlacementProblem& problem, const PlacementOptions& options
   return outcome;
 }
 
-void report(const std::string& scene, const std::string& sense, const Variant& variant,
-            const std::vector<Outcome>& all) {
-  std::vector<double> first_s, first_draws, best, draws;
-  for (const Outcome& one : all) {
-    const bool found = !std::isnan(one.first_s);
-    first_s.push_back(found ? one.first_s : 1e9);
-    first_draws.push_back(found ? one.first_draws : 1e9);
-    best.push_back(found ? one.best : -1e9);
-    draws.push_back(one.draws);
-  }
-  std::cout << scene << ' ' << sense << " | " << variant.name << std::fixed << " | first "
-            << std::setprecision(2) << 1e3 * quantile(first_s, 0.5) << " ms ("
-            << 1e3 * quantile(first_s, 0.25) << " ... " << 1e3 * quantile(first_s, 0.75) << "), "
-            << std::setprecision(0) << quantile(first_draws, 0.5) << " draws | objective "
-            << std::setprecision(2) << 1e3 * quantile(best, 0.5) << " mm (" << 1e3 * quantile(best, 0.25)
-            << " ... " << 1e3 * quantile(best, 0.75) << ") | " << std::setprecision(0) << quantile(draws, 0.5)
-            << " draws" << std::endl;
+void report(const std::string& task, const Variant& one, const std::vector<Outcome>& all) {
+  const auto column = [&](auto value) {
+    std::vector<double> values;
+    std::transform(all.begin(), all.end(), std::back_inserter(values), value);
+    return values;
+  };
+  std::cout << task << " | " << one.name << " | first "
+            << quartiles(column([](const Outcome& o) { return 1e3 * o.first_s; }), false, 2) << " ms, "
+            << quartiles(column([](const Outcome& o) { return o.first_draws; }), false, 0) << " draws | best "
+            << quartiles(column([](const Outcome& o) { return 1e3 * o.best; }), true, 2) << " mm | "
+            << quartiles(column([](const Outcome& o) { return o.draws; }), false, 0) << " draws in all"
+            << std::endl;
 }
 
-void measure(const std::string& name, int seeds, double limit_s) {
+void measure(const std::string& name, const std::vector<Variant>& variants, int seeds, double limit_s) {
   const Scene scene = loadPlacementScene(name);
   for (const auto& [goal, sense] :
        {std::pair(ClearanceGoal::kLargest, "max"), {ClearanceGoal::kSmallest, "min"}}) {
     Scene task = scene;
     task.place->objective = goal;
     const PlacementProblem problem = makePlacementProblem(task);
-    for (const Variant& variant : variants()) {
+    for (const Variant& one : variants) {
       std::vector<Outcome> all;
       for (int seed = 1; seed <= seeds; ++seed)
-        all.push_back(runOnce(problem, variant.options, static_cast<std::uint64_t>(seed), limit_s));
-      report(scene.name, sense, variant, all);
+        all.push_back(runOnce(problem, one.options, static_cast<std::uint64_t>(seed), limit_s));
+      report(scene.name + ' ' + sense, one, all);
     }
   }
 }
 
 int run(int argc, char** argv) {
   ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-  const int seeds = argc > 1 ? std::stoi(argv[1]) : 20;
-  const double limit_s = argc > 2 ? std::stod(argv[2]) : 1.0;
-  std::vector<std::string> scenes(argv + std::min(argc, 3), argv + argc);
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what != "samplers" && what != "switches") {
+    std::cerr << "placement_sampling samplers|switches [SEEDS [SECONDS [SCENE...]]]" << std::endl;
+    return 2;
+  }
+  const int seeds = argc > 2 ? std::stoi(argv[2]) : 20;
+  const double limit_s = argc > 3 ? std::stod(argv[3]) : 1.0;
+  std::vector<std::string> scenes(argv + std::min(argc, 4), argv + argc);
   if (scenes.empty()) scenes = placementSceneNames();
   try {
-    for (const std::string& scene : scenes) measure(scene, seeds, limit_s);
+    for (const std::string& scene : scenes)
+      measure(scene, what == "samplers" ? samplers() : switches(), seeds, limit_s);
   } catch (const InputError& e) {
     std::cerr << "placement_sampling: " << e.what() << std::endl;
     return 2;

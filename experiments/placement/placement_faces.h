@@ -21,7 +21,7 @@ struct PlacementFace {
 
 struct FaceRules {
   double cluster_rad = 0.18;   ///< triangles turned by less than this from the first one belong to its face
-  double flat_m = 1e-3;        ///< vertices within this of the face's plane touch the ground
+  double flat_m = 2e-4;        ///< vertices within this of the face's plane touch the ground
   double com_inside_m = 0.01;  ///< how far inside the face the centre of mass has to stand
 };
 

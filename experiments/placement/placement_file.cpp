@@ -65,9 +65,13 @@ PlacementArm readArm(const YamlValue& entry, const Scene& scene) {
 void addPoints(const YamlValue& points, const PlacementTask& task, Scene& scene) {
   points.allowKeys({"name", "file"});
   const std::string name = points["name"].text();
-  const auto cloud = readPointCloud(relativeTo(scene.file, points["file"].text()));
-  for (Obstacle& box : boxesAround(cloud, task.min_m, task.cell_m, name))
-    scene.obstacles.push_back(std::move(box));
+  try {
+    const auto cloud = readPointCloud(relativeTo(scene.file, points["file"].text()));
+    for (Obstacle& box : boxesAround(cloud, task.min_m, task.cell_m, name))
+      scene.obstacles.push_back(std::move(box));
+  } catch (const InputError& e) {
+    points.fail(e.what());
+  }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding_m = 1e-9;
-constexpr int kPointsPerTurn = 32;
+constexpr int kPointsPerTurn = 64;
 
 struct Contains {
   const Eigen::Vector3d& p;

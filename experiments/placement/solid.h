@@ -23,7 +23,7 @@ VolumeCentroid volumeCentroid(const Shape& shape);
 Eigen::Vector3d centreOfMass(const std::vector<PlacedShape>& shapes);
 
 /// Points on the surfaces of shapes, in the frame of their body, whose convex hull is that of the shapes:
-/// exact for boxes and meshes, from inside, with 32 points a turn, where surfaces are round.
+/// exact for boxes and meshes, from inside, with 64 points a turn, where surfaces are round.
 std::vector<Eigen::Vector3d> hullPoints(const std::vector<PlacedShape>& shapes);
 
 }  // namespace b4p

@@ -155,7 +155,7 @@ TEST(PlacementWorld, HalfOverAnEdgeOrTiltedIsNotStable) {
   // Upright on the table's front part: its box stands on z = 0.10, the contact is 2.5 mm above.
   const auto at = [](double y, double tilt) {
     Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-    X.translation() << 0.0, y, 0.1025 + 0.0355;
+    X.translation() << -0.1, y, 0.1025 + 0.0355;
     X.linear() = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX()).toRotationMatrix();
     return X;
   };
@@ -173,7 +173,8 @@ TEST(PlacementPlanning, RrtConnectPutsTheObjectDown) {
   const PlacementProblem problem = makePlacementProblem(scene);
   ompl::geometric::RRTConnect planner(problem.si);
   planner.setProblemDefinition(problem.pdef);
-  ASSERT_EQ(planner.ob::Planner::solve(60.0), ob::PlannerStatus::EXACT_SOLUTION) << problem.goal->statistics().summary();
+  ASSERT_EQ(planner.ob::Planner::solve(60.0), ob::PlannerStatus::EXACT_SOLUTION)
+      << problem.goal->statistics().summary();
   const auto& path = *problem.pdef->getSolutionPath()->as<ompl::geometric::PathGeometric>();
   const auto* last = path.getState(path.getStateCount() - 1)->as<ManipulationStateSpace::StateType>();
   const Judge judge(scene);

@@ -64,12 +64,10 @@ def test_each_file_has_a_column_with_coloured_regions_and_faces(script, tmp_path
         (lambda d: d.update(volume=3), "not a surfaces file"),
     ],
 )
-def test_a_malformed_file_is_refused_in_one_line(script, tmp_path, change, expected):
+def test_a_malformed_file_is_refused_in_one_line(refuses, tmp_path, change, expected):
     document = surfaces()
     change(document)
     file = write(tmp_path / "bad.json", document)
-    result = script("placement_regions.py", file, "-o", tmp_path / "out.png")
-    assert result.returncode == 2
-    assert str(file) in result.stderr and expected in result.stderr
-    assert result.stderr.count("\n") == 1
+    refuses(f"{file}: ", "placement_regions.py", file, "-o", tmp_path / "out.png")
+    refuses(expected, "placement_regions.py", file, "-o", tmp_path / "out.png")
     assert not (tmp_path / "out.png").exists()
