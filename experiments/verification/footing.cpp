@@ -92,9 +92,9 @@ std::string Footing::problem(const Isometry3d& X_WO, double& largest_gap_m) cons
   constexpr int kDirections = 720;
   const PlacementTask& task = *scene_.place;
   const double farthest_m = 1.5 * task.cell_m + kSlack_m;
-  const std::vector<Vector3d> feet = this->feet(X_WO);
+  const std::vector<Vector3d> standing = feet(X_WO);
   largest_gap_m = 0.0;
-  for (const Vector3d& foot : feet) {
+  for (const Vector3d& foot : standing) {
     const double gap = gap_m(foot, farthest_m);
     const std::string place = "(" + text(foot.x()) + ", " + text(foot.y()) + ", " + text(foot.z()) + ") m";
     if (std::isinf(gap)) return "nothing carries the object's foot at " + place;
@@ -106,7 +106,7 @@ std::string Footing::problem(const Isometry3d& X_WO, double& largest_gap_m) cons
   for (int i = 0; i < kDirections; ++i) {
     const double angle = kFullTurn_rad * i / kDirections;
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    const bool falls = std::none_of(feet.begin(), feet.end(), [&](const Vector3d& foot) {
+    const bool falls = std::none_of(standing.begin(), standing.end(), [&](const Vector3d& foot) {
       return direction.dot(foot.head<2>() - p_WCom) > 0.0;
     });
     if (falls) return "the object's centre of mass does not stand above its feet";
