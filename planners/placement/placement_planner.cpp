@@ -196,13 +196,14 @@ void PlacementPlanner::take(const ReachedGoal& reached) {
 }
 
 void PlacementPlanner::publish(const og::PathGeometric& path, double objective) {
-  ob::PlannerSolution solution(std::make_shared<og::PathGeometric>(path));
+  const auto published = std::make_shared<og::PathGeometric>(path);
+  ob::PlannerSolution solution(published);
   solution.setPlannerName(getName());
   solution.setOptimized(ranking_, ob::Cost(objective), ranking_->isSatisfied(ob::Cost(objective)));
   pdef_->addSolutionPath(solution);
   const auto& callback = pdef_->getIntermediateSolutionCallback();
   if (!callback) return;
-  const std::vector<const ob::State*> states(path.getStates().begin(), path.getStates().end());
+  const std::vector<const ob::State*> states(published->getStates().begin(), published->getStates().end());
   callback(this, states, ob::Cost(objective));
 }
 

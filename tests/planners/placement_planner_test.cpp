@@ -174,7 +174,7 @@ TEST_F(Place, BestSolutionComesFirstInTheProblemDefinition) {
   ASSERT_FALSE(improvements.empty());
   const auto solutions = setup.problem->getSolutions();
   EXPECT_EQ(solutions.size(), improvements.size());
-  const auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();
+  auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();
   EXPECT_EQ(setup.goal->objective(path.getStates().back()), planner->bestObjective());
   EXPECT_EQ(solutions.front().cost_.value(), planner->bestObjective());
   EXPECT_EQ(solutions.front().plannerName_, planner->getName());
@@ -192,7 +192,7 @@ TEST_F(Place, SolveGoesOn) {
   setup.problem->clearSolutionPaths();
   EXPECT_EQ(planner->ob::Planner::solve(0.0), ob::PlannerStatus::EXACT_SOLUTION);
   ASSERT_TRUE(setup.problem->hasExactSolution()) << "what has been found is said again";
-  const auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();
+  auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();
   EXPECT_EQ(setup.goal->objective(path.getStates().back()), planner->bestObjective());
 }
 
