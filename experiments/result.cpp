@@ -30,19 +30,6 @@ Json toJson(const Verification& verification) {
           {"clearance_m", verification.clearance_m}};
 }
 
-Eigen::Isometry3d readPose(const JsonValue& pose) {
-  pose.requireKeys({"position_m", "rotation"});
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  const std::vector<double> position = pose["position_m"].numbers(3);
-  const std::vector<JsonValue> rows = pose["rotation"].items(3);
-  for (int i = 0; i < 3; ++i) {
-    X.translation()[i] = position[static_cast<std::size_t>(i)];
-    const std::vector<double> row = rows[static_cast<std::size_t>(i)].numbers(3);
-    for (int j = 0; j < 3; ++j) X.linear()(i, j) = row[static_cast<std::size_t>(j)];
-  }
-  return X;
-}
-
 Verification readVerification(const JsonValue& element) {
   element.requireKeys({"passed", "failure", "step_m", "configurations", "clearance_m"});
   Verification verification;
@@ -56,8 +43,8 @@ Verification readVerification(const JsonValue& element) {
 
 void readMotion(const JsonValue& root, PlanResult& result) {
   result.grasp = graspFrom(root["grasp"]);
-  result.X_WO_pick = readPose(root["X_WO_pick"]);
-  result.X_WO_place = readPose(root["X_WO_place"]);
+  result.X_WO_pick = poseFrom(root["X_WO_pick"]);
+  result.X_WO_place = poseFrom(root["X_WO_place"]);
   for (const JsonValue& name : root["joint_names"].items()) result.joint_names.push_back(name.text());
   for (const JsonValue& row : root["path"].items())
     result.path.push_back(row.numbers(result.joint_names.size()));
@@ -72,6 +59,19 @@ Json poseJson(const Eigen::Isometry3d& X, const char* name) {
   return {{"position_m", listOf(X.translation())}, {"rotation", rows}};
 }
 
+Eigen::Isometry3d poseFrom(const JsonValue& pose) {
+  pose.requireKeys({"position_m", "rotation"});
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  const std::vector<double> position = pose["position_m"].numbers(3);
+  const std::vector<JsonValue> rows = pose["rotation"].items(3);
+  for (int i = 0; i < 3; ++i) {
+    X.translation()[i] = position[static_cast<std::size_t>(i)];
+    const std::vector<double> row = rows[static_cast<std::size_t>(i)].numbers(3);
+    for (int j = 0; j < 3; ++j) X.linear()(i, j) = row[static_cast<std::size_t>(j)];
+  }
+  return X;
+}
+
 Json graspJson(const Grasp& grasp) {
   requireFinite(grasp.opening_m, "grasp.opening_m");
   return {{"X_OT", poseJson(grasp.X_OT, "grasp.X_OT")}, {"opening_m", grasp.opening_m}};
@@ -80,7 +80,7 @@ Json graspJson(const Grasp& grasp) {
 Grasp graspFrom(const JsonValue& value) {
   value.requireKeys({"X_OT", "opening_m"});
   Grasp grasp;
-  grasp.X_OT = readPose(value["X_OT"]);
+  grasp.X_OT = poseFrom(value["X_OT"]);
   grasp.opening_m = value["opening_m"].number();
   return grasp;
 }

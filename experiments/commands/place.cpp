@@ -11,11 +11,11 @@
 #include "experiments/commands/whole_number.h"
 #include "experiments/interrupt.h"
 #include "experiments/output_file.h"
+#include "experiments/placement/placement_check.h"
 #include "experiments/placement/placement_file.h"
 #include "experiments/placement/placement_query.h"
 #include "experiments/query.h"
 #include "experiments/scene_files/data_files.h"
-#include "experiments/verification/placement_verifier.h"
 
 namespace b4p {
 namespace {
@@ -58,13 +58,6 @@ PlacementResult solveShowingProgress(PlacementQuery& query, double time_limit_s)
   return query.solve();
 }
 
-void verifyAll(const Scene& scene, PlacementResult& result) {
-  const PlacementVerifier verifier(scene, result.objective == nameOf(ClearanceGoal::kLargest) ? 1.0 : -1.0);
-  for (PlacementImprovement& improvement : result.improvements)
-    improvement.verification =
-        verifier.verify(improvement, result.joint_names[static_cast<std::size_t>(improvement.arm)]);
-}
-
 void report(const PlacementResult& result, const std::string& file) {
   std::cout << result.scene << ", " << result.objective << ": " << result.status << " after "
             << result.planning_time_s << " s, seed " << result.seed << "\n";
@@ -93,7 +86,7 @@ int place(const Options& options) {
 
   catchInterrupts();
   PlacementResult result = solveShowingProgress(query, settings.time_limit_s);
-  verifyAll(scene, result);
+  verifyImprovements(scene, result);
   writePlacementResult(options.out, result);
   report(result, options.out);
   if (!query.planner().lastError().empty()) {

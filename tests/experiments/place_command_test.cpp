@@ -53,6 +53,14 @@ TEST(PlaceCommand, WritesRisingImprovementsThatHaveBeenVerified) {
     EXPECT_NEAR(improvement["verification"]["objective_m"].get<double>(), objective, 0.0075);
   }
   EXPECT_EQ(result["best"], result["improvements"].back());
+  EXPECT_EQ(runB4p("verify " + file).exit_code, 0);
+  auto better = result;
+  better["improvements"][0]["objective_m"] = result["improvements"][0]["objective_m"].get<double>() + 0.02;
+  writeText(file, better.dump());
+  EXPECT_EQ(runB4p("verify " + file).exit_code, 3) << "it claims more than it has";
+  better["improvements"][0].erase("time_s");
+  writeText(file, better.dump());
+  EXPECT_EQ(runB4p("verify " + file).exit_code, 2);
 }
 
 TEST(PlaceCommand, SaysWhyThereIsNoPlacement) {
