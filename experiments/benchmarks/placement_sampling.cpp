@@ -40,7 +40,11 @@ std::vector<Variant> samplers() {
   return {variant("tree search", [](PlacementOptions&) {}),
           variant("uniform children",
                   [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformChildren; }),
-          variant("uniform area", [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformArea; })};
+          variant("uniform area", [](PlacementOptions& o) { o.sampling = PlacementSampling::kUniformArea; }),
+          variant("tree search as printed", [](PlacementOptions& o) {
+            o.reward = PlacementReward::kPaper;
+            o.take_back = o.prune = false;
+          })};
 }
 
 std::vector<Variant> switches() {
@@ -48,6 +52,12 @@ std::vector<Variant> switches() {
           variant("inverse kinematics first", [](PlacementOptions& o) { o.pose_first = false; }),
           variant("no hand test", [](PlacementOptions& o) { o.hand_first = false; }),
           variant("other pruning", [](PlacementOptions& o) { o.prune = !o.prune; }),
+          variant("paper's rewards", [](PlacementOptions& o) { o.reward = PlacementReward::kPaper; }),
+          variant("stage 1/4", [](PlacementOptions& o) { o.stage = 1.0 / 4.0; }),
+          variant("stage 1/64", [](PlacementOptions& o) { o.stage = 1.0 / 64.0; }),
+          variant("stage 0", [](PlacementOptions& o) { o.stage = 0.0; }),
+          variant("c 0.1", [](PlacementOptions& o) { o.exploration = 0.1; }),
+          variant("rewards kept", [](PlacementOptions& o) { o.take_back = false; }),
           variant("discount 0.5", [](PlacementOptions& o) { o.discount = 0.5; }),
           variant("one posture", [](PlacementOptions& o) { o.postures = 1; }),
           variant("six postures", [](PlacementOptions& o) { o.postures = 6; })};

@@ -9,6 +9,7 @@
 #include "experiments/certification/certificate.h"
 #include "experiments/certification/digest.h"
 #include "experiments/commands/commands.h"
+#include "experiments/placement/placement_file.h"
 #include "experiments/planners.h"
 #include "experiments/scene.h"
 #include "robots/input_error.h"
@@ -42,6 +43,15 @@ void listScenes() {
   }
 }
 
+void listPlacementScenes() {
+  std::cout << "Placement scenes\n";
+  for (const std::string& name : placementSceneNames()) {
+    const Scene scene = loadPlacementScene(name);
+    std::cout << "  " << name << ": " << scene.object_name << ", arms " << scene.place->arms.size()
+              << ", budget " << scene.budget_s << " s\n";
+  }
+}
+
 void listPlanners() {
   // Parameters belong to planner objects, so one of each is made, on a space that nothing is planned in.
   const auto si =
@@ -67,6 +77,7 @@ void addListCommand(CLI::App& app, Run& run) {
       ->callback([&run] {
         run = [] {
           listScenes();
+          listPlacementScenes();
           listPlanners();
           return kSolved;
         };

@@ -130,7 +130,7 @@ void PlacementGoal::setObjectiveThreshold(double threshold) {
   const std::lock_guard<std::mutex> lock(search_->mutex);
   const double before = threshold_.exchange(std::isnan(threshold) ? kInfinity : threshold);
   if (threshold < before) search_->exhausted = false;
-  if (threshold > before && search_->sampler != nullptr) search_->sampler->thresholdRaised();
+  if (threshold > before && search_->sampler != nullptr) search_->sampler->thresholdRaised(threshold);
 }
 
 double PlacementGoal::objective(const ob::State* state) const {

@@ -14,6 +14,7 @@ std::string PlacementOptions::problem() const {
   if (attempts == 0) return "attempts has to be at least 1";
   if (ik_attempts == 0) return "ik_attempts has to be at least 1";
   if (postures == 0) return "postures has to be at least 1";
+  if (!(stage >= 0.0 && stage <= 1.0)) return "stage has to be from 0 to 1, not " + std::to_string(stage);
   if (!(discount > 0.0 && discount <= 1.0))
     return "discount has to be above 0 and at most 1, not " + std::to_string(discount);
   return {};

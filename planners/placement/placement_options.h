@@ -12,6 +12,13 @@ enum class PlacementSampling {
   kUniformArea,      ///< arm and face uniform, all cells of all regions alike
 };
 
+enum class PlacementReward {
+  kPaper,   ///< Eq. 3: a quarter for each of stable, object free, better and arm free; 0 or 1 at leaves
+  kStaged,  ///< 1 for a valid draw; `stage` for one that fails at the arm's collisions only, and half as much
+            ///< for each test before that: what fails late says a little about success, and stays small
+            ///< beside it
+};
+
 /// How placements are drawn.
 struct PlacementOptions {
   PlacementSampling sampling = PlacementSampling::kTreeSearch;
@@ -22,6 +29,9 @@ struct PlacementOptions {
   bool pose_first = true;     ///< test the pose before inverse kinematics; false: the authors' order
   bool hand_first = true;     ///< test the hand alone before inverse kinematics
   bool prune = true;          ///< leave out branches whose bound cannot beat the objective's threshold
+  PlacementReward reward = PlacementReward::kStaged;
+  double stage = 1.0 / 16.0;  ///< see kStaged; in [0, 1]
+  bool take_back = true;      ///< take rewards back that the rising threshold has made worthless
   double discount = 1.0;      ///< factor on all visits and rewards when the threshold rises; in (0, 1]
 
   /// What is out of range, with the value; empty when nothing is.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -19,6 +20,7 @@ struct PlacementOutcome {
   bool hand_free = false;
   bool reachable = false;
   bool arm_free = false;
+  double objective = -std::numeric_limits<double>::infinity();  ///< known when stable and object free
 
   bool valid() const { return better && arm_free; }
 };
@@ -40,7 +42,7 @@ class PlacementSampler {
   /// A valid placement that was found by other means.
   virtual void learnReached(const Placement&) {}
 
-  virtual void thresholdRaised() {}
+  virtual void thresholdRaised(double /*threshold*/) {}
 };
 
 /// @param world, objective  have to outlive the sampler; the world has arms, faces and regions

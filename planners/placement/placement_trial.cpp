@@ -9,7 +9,9 @@ void tryPose(const PlacementWorld& world, const PlacementObjective& objective, P
              const Eigen::Isometry3d& X_WO, double threshold, PlacementOutcome& outcome) {
   outcome.stable = world.stable(X_WO);
   outcome.object_free = context.objectFree(X_WO);
-  outcome.better = outcome.stable && outcome.object_free && objective.value(X_WO) > threshold;
+  if (!outcome.stable || !outcome.object_free) return;
+  outcome.objective = objective.value(X_WO);
+  outcome.better = outcome.objective > threshold;
 }
 
 void tryArm(const PlacementOptions& options, PlacementContext& context, GraspId arm,

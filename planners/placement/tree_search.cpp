@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr double kDrawsBeforeBound = 8.0;
+constexpr double kFadedAway = 1e-100;       ///< what is left of rewards counts for nothing
 constexpr std::size_t kMostNodes = 500000;  ///< about 100 MB
 
 /// UCB1's share for exploration.
@@ -53,6 +55,7 @@ TreeSearch::Branch TreeSearch::addRandomChild(Branch branch, std::mt19937_64& ra
 bool TreeSearch::open(Branch branch, double threshold) {
   if (!options_.prune || threshold == -kInfinity) return true;
   Node& n = node(branch);
+  if (!n.bounded && n.visits < kDrawsBeforeBound) return true;
   if (!n.bounded) {
     n.bounded = true;
     n.bound = kInfinity;
@@ -124,20 +127,34 @@ bool TreeSearch::draw(std::mt19937_64& random, double threshold, Placement& plac
   return false;
 }
 
-void TreeSearch::reward(Branch branch, double amount) {
+void TreeSearch::add(Branch branch, double visits, double reward) {
   for (; branch >= 0; branch = node(branch).parent) {
-    node(branch).visits += 1.0;
-    node(branch).rewards += amount;
+    node(branch).visits += visits;
+    node(branch).rewards += reward;
   }
 }
 
+double TreeSearch::rewardOf(const PlacementOutcome& outcome, bool leaf) const {
+  if (outcome.valid()) return 1.0;
+  if (options_.reward == PlacementReward::kPaper) {
+    constexpr double kShare = 0.25;
+    const int passed = static_cast<int>(outcome.arm_free) + static_cast<int>(outcome.object_free) +
+                       static_cast<int>(outcome.stable) + static_cast<int>(outcome.better);
+    return leaf ? 0.0 : kShare * passed;
+  }
+  if (!outcome.stable || !outcome.object_free) return 0.0;
+  const int tests_missed = !outcome.better ? 3 : !outcome.hand_free ? 2 : !outcome.reachable ? 1 : 0;
+  return std::ldexp(options_.stage, -tests_missed);
+}
+
 void TreeSearch::learn(Branch branch, const PlacementOutcome& outcome) {
-  constexpr double kShare = 0.25;
-  double amount = outcome.valid() ? 1.0 : 0.0;
-  if (!outcome.valid() && hierarchy_.childCount(node(branch).afr) > 0)
-    amount = kShare * (static_cast<int>(outcome.arm_free) + static_cast<int>(outcome.object_free) +
-                       static_cast<int>(outcome.stable) + static_cast<int>(outcome.better));
-  reward(branch, amount);
+  const bool leaf = hierarchy_.childCount(node(branch).afr) == 0;
+  const double reward = rewardOf(outcome, leaf);
+  add(branch, 1.0, reward);
+  if (!options_.take_back || !outcome.better) return;
+  PlacementOutcome passed;
+  passed.stable = passed.object_free = true;
+  better_.push({outcome.objective, branch, (reward - rewardOf(passed, leaf)) / faded_});
 }
 
 void TreeSearch::learnReached(const Placement& placement) {
@@ -162,15 +179,21 @@ void TreeSearch::learnReached(const Placement& placement) {
     });
     branch = *same;
   }
-  if (node(branch).afr.depth >= AfrHierarchy::kFullyChosen) reward(branch, 1.0);
+  if (node(branch).afr.depth >= AfrHierarchy::kFullyChosen) add(branch, 1.0, 1.0);
 }
 
-void TreeSearch::thresholdRaised() {
+void TreeSearch::thresholdRaised(double threshold) {
+  for (; !better_.empty() && better_.top().objective <= threshold; better_.pop())
+    add(better_.top().branch, 0.0, -better_.top().surplus * faded_);
   if (options_.discount == 1.0) return;
   for (Node& n : nodes_) {
     n.visits *= options_.discount;
     n.rewards *= options_.discount;
   }
+  faded_ *= options_.discount;
+  if (faded_ >= kFadedAway) return;
+  better_ = {};
+  faded_ = 1.0;
 }
 
 }  // namespace b4p

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <queue>
 #include <vector>
 
 #include "planners/placement/afr_hierarchy.h"
@@ -24,7 +26,7 @@ class TreeSearch : public PlacementSampler {
   bool draw(std::mt19937_64& random, double threshold, Placement& placement, Branch& branch) override;
   void learn(Branch branch, const PlacementOutcome& outcome) override;
   void learnReached(const Placement& placement) override;
-  void thresholdRaised() override;
+  void thresholdRaised(double threshold) override;
 
   std::size_t size() const { return nodes_.size(); }
 
@@ -40,6 +42,14 @@ class TreeSearch : public PlacementSampler {
     std::vector<Branch> children;
   };
 
+  /// A draw that has been better than the threshold so far.
+  struct Better {
+    double objective;
+    Branch branch;
+    double surplus;  ///< of its reward over that of a draw that is no better, over `faded_` at that time
+    bool operator>(const Better& other) const { return objective > other.objective; }
+  };
+
   Node& node(Branch branch) { return nodes_[static_cast<std::size_t>(branch)]; }
   void expand(Branch branch);
   Branch addChild(Branch branch, std::size_t place);
@@ -49,12 +59,15 @@ class TreeSearch : public PlacementSampler {
   /// from, while the tree may grow or need not.
   bool descends(Branch branch);
   Branch selectChild(Branch branch, double threshold, std::mt19937_64& random);
-  void reward(Branch branch, double amount);
+  double rewardOf(const PlacementOutcome& outcome, bool leaf) const;
+  void add(Branch branch, double visits, double reward);
 
   const PlacementObjective& objective_;
   PlacementOptions options_;
   AfrHierarchy hierarchy_;
-  std::deque<Node> nodes_;  ///< node 0 is the root
+  std::deque<Node> nodes_;                                                   ///< node 0 is the root
+  std::priority_queue<Better, std::vector<Better>, std::greater<>> better_;  ///< least objective on top
+  double faded_ = 1.0;                                                       ///< product of all discounts
 };
 
 }  // namespace b4p

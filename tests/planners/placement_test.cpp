@@ -118,7 +118,7 @@ TEST(PlacementGoal, SamplesPassAllTestsAndBeatARisingThreshold) {
         const double threshold = 0.05 * i;
         goal->setObjectiveThreshold(threshold);
         for (int j = 0; j < 5; ++j) {
-          ASSERT_TRUE(goal->sample(state.get(), 5000));
+          ASSERT_TRUE(goal->sample(state.get(), 50000)) << static_cast<int>(sampling) << " " << threshold;
           expectGood(*state.get(), threshold);
           EXPECT_DOUBLE_EQ(goal->objective(state.get()), state->q[1]);
           EXPECT_TRUE(goal->isSatisfied(state.get()));
@@ -232,6 +232,34 @@ TEST(TreeSearch, LearnsFromWhatWasReachedByOtherMeans) {
   EXPECT_GT(shareInCorner(true), 2 * shareInCorner(false));
 }
 
+/// Half the field is good at first; only a corner of it is better than that.
+std::uint64_t drawsForBetterOnes(bool take_back, std::uint64_t seed) {
+  const ToyProblem problem(std::make_shared<ToyPlacement>());
+  PlacementOptions options;
+  options.take_back = take_back;
+  const auto goal = problem.goal(objectiveOf([](double x, double y) {
+                                   return x > 0.56 && y > 0.56 ? 1.0 : x < 0.32 ? 0.5 : -1.0;
+                                 }),
+                                 options);
+  goal->seed(seed);
+  Scoped state(problem.space);
+  goal->setObjectiveThreshold(0.0);
+  for (int i = 0; i < 300; ++i) EXPECT_TRUE(goal->sample(state.get(), 1000000));
+  const std::uint64_t before = goal->statistics().draws;
+  goal->setObjectiveThreshold(0.5);
+  for (int i = 0; i < 30; ++i) EXPECT_TRUE(goal->sample(state.get(), 1000000));
+  return goal->statistics().draws - before;
+}
+
+TEST(TreeSearch, LeavesWhatTheThresholdHasMadeWorthless) {
+  std::uint64_t taken_back = 0, kept = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    taken_back += drawsForBetterOnes(true, seed);
+    kept += drawsForBetterOnes(false, seed);
+  }
+  EXPECT_LT(taken_back, kept);
+}
+
 /// Height of a cone whose top is at (0.4, 0.2); it is 1-Lipschitz.
 class Cone : public PlacementObjective {
  public:
@@ -337,6 +365,7 @@ TEST(PlacementGoal, RefusesWhatMakesNoSense) {
   refused([](PlacementOptions& o) { o.ik_attempts = 0; });
   refused([](PlacementOptions& o) { o.postures = 0; });
   refused([](PlacementOptions& o) { o.discount = 0.0; });
+  refused([](PlacementOptions& o) { o.stage = 1.1; });
   EXPECT_THROW(problem.goal(nullptr), std::invalid_argument);
   EXPECT_THROW(CallableObjective(nullptr), std::invalid_argument);
 }
