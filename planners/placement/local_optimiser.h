@@ -55,7 +55,8 @@ class LocalOptimiser {
 
   /// @param from       a state whose placement is valid
   /// @param objective  of that state
-  Result improve(const ompl::base::State* from, double objective);
+  Result improve(const ompl::base::State* from, double objective,
+                 const ompl::base::PlannerTerminationCondition& ptc);
 
  private:
   LocalEnd step(const ompl::base::State* here, double& value, ompl::base::State* next);
