@@ -75,14 +75,15 @@ void LocalOptimiser::keepUpright(GraspId arm, const Eigen::Isometry3d& X_WO, Eig
   }
 }
 
-LocalOptimiser::Result LocalOptimiser::improve(const ob::State* from, double objective) {
+LocalOptimiser::Result LocalOptimiser::improve(const ob::State* from, double objective,
+                                               const ob::PlannerTerminationCondition& ptc) {
   Result result{{}, objective, LocalEnd::kSteps};
   std::vector<ob::ScopedState<>> level;  // states that gain nothing, so far
   double value = objective;
   ob::ScopedState<> here(si_->getStateSpace(), from);
   for (unsigned i = 0; i < settings_.steps; ++i) {
     ob::ScopedState<> next(here);
-    const LocalEnd end = step(here.get(), value, next.get());
+    const LocalEnd end = ptc ? LocalEnd::kTold : step(here.get(), value, next.get());
     if (end != LocalEnd::kSteps) {
       result.end = end;
       return result;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 #include <Eigen/Core>
@@ -32,7 +33,8 @@ enum class LocalEnd {
   kLostContact,  ///< the object would not stand
   kJointLimit,
   kSingular,  ///< the Jacobian's rank is less than 6
-  kSteps      ///< all steps have been made
+  kSteps,     ///< all steps have been made
+  kTold       ///< the termination condition holds
 };
 
 /// Improves a placement by steps of the joints along J+ v, where v lifts the objective's gradient over x, y

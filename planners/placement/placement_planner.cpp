@@ -126,7 +126,7 @@ ob::PlannerStatus PlacementPlanner::search(const ob::PlannerTerminationCondition
   while (!ptc && !ranking_->isSatisfied(ob::Cost(bestObjective()))) {
     const bool sampled = sampleGoal(ptc);
     if (!problem().empty() || (!sampled && search_->idle() && !goal_->couldSample())) break;
-    if (const auto reached = planMotion(ptc)) take(*reached);
+    if (const auto reached = planMotion(ptc)) take(*reached, ptc);
   }
   return status();
 }
@@ -175,12 +175,12 @@ std::optional<ReachedGoal> PlacementPlanner::planMotion(const ob::PlannerTermina
   return std::nullopt;
 }
 
-void PlacementPlanner::take(const ReachedGoal& reached) {
+void PlacementPlanner::take(const ReachedGoal& reached, const ob::PlannerTerminationCondition& ptc) {
   og::PathGeometric path = pathTo(*reached.node, si_);
   double objective = objectives_.at(reached.id);
   objectives_.erase(reached.id);
   if (parameters().local) {
-    const LocalOptimiser::Result better = local_->improve(reached.node->state, objective);
+    const LocalOptimiser::Result better = local_->improve(reached.node->state, objective, ptc);
     local_steps_ += better.states.size();
     lead(path, better.states, si_);
     if (!better.states.empty()) goal_->reportReached(path.getStates().back(), better.objective);

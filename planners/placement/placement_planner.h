@@ -68,7 +68,7 @@ class PlacementPlanner : public WithParameters<GuardedPlanner, PlacementPlannerP
   void plantStarts();
   bool sampleGoal(const ompl::base::PlannerTerminationCondition& ptc);
   std::optional<ReachedGoal> planMotion(const ompl::base::PlannerTerminationCondition& ptc);
-  void take(const ReachedGoal& reached);
+  void take(const ReachedGoal& reached, const ompl::base::PlannerTerminationCondition& ptc);
   void publish(const ompl::geometric::PathGeometric& path, double objective);
   void dropGoalsNoBetter();
   std::string problem() const;

@@ -19,7 +19,8 @@ constexpr double kStep = 0.01;
 LocalOptimiser::Result improve(const LeverProblem& setup, const ob::ScopedState<>& from,
                                const LocalOptimisation& settings = {}) {
   LocalOptimiser optimiser(setup.si, *setup.goal, settings);
-  return optimiser.improve(from.get(), setup.goal->objective(from.get()));
+  return optimiser.improve(from.get(), setup.goal->objective(from.get()),
+                           ob::plannerNonTerminatingCondition());
 }
 
 /// Every state stands on the table and is free, every motion is valid, and the last state has the objective
@@ -138,6 +139,18 @@ TEST(LocalOptimiser, StopsWhereTheObjectiveFalls) {
   const auto result = improve(setup, from);
   EXPECT_EQ(result.end, LocalEnd::kNoGain);
   EXPECT_NEAR(result.objective, 0.0, kStep);
+  expectSound(setup, from, result);
+}
+
+TEST(LocalOptimiser, EndsWhenToldTo) {
+  const LeverProblem setup(LeverWorld{}, nearTo({0.8, 0.0}));
+  const auto from = setup.holding(0, {0.0, 0.0, 0.0});
+  LocalOptimiser optimiser(setup.si, *setup.goal, {});
+  int asked = 0;
+  const auto result = optimiser.improve(from.get(), setup.goal->objective(from.get()),
+                                        ob::PlannerTerminationCondition([&asked] { return ++asked > 7; }));
+  EXPECT_EQ(result.end, LocalEnd::kTold);
+  EXPECT_EQ(result.states.size(), 7u);
   expectSound(setup, from, result);
 }
 
