@@ -78,6 +78,7 @@ void PlacementPlanner::clear() {
 
 void PlacementPlanner::forget() {
   if (goal_) goal_->setObjectiveThreshold(threshold_before_);
+  starts_seen_ = 0;
   best_path_.reset();
   best_ = kNothing;
   objectives_.clear();
@@ -145,14 +146,18 @@ ob::PlannerStatus PlacementPlanner::status() const {
   return ob::PlannerStatus::INVALID_GOAL;
 }
 
+// Not through PlannerInputStates: that asks the validity checker of states with an unknown arm as well.
 void PlacementPlanner::plantStarts() {
   const GraspAccess arms(si_);
-  while (const ob::State* start = pis_.nextStart()) {
+  for (; starts_seen_ < pdef_->getStartStateCount(); ++starts_seen_) {
+    const ob::State* start = pdef_->getStartState(starts_seen_);
     const GraspId arm = arms.get(start);
     if (arm < 0 || arm >= goal_->world().armCount())
       OMPL_WARN("%s: a start state with the unknown arm %d is left out", getName().c_str(), arm);
-    else if (allFinite(*si_->getStateSpace(), start))
+    else if (allFinite(*si_->getStateSpace(), start) && si_->satisfiesBounds(start) && si_->isValid(start))
       search_->addStart(start);
+    else
+      OMPL_WARN("%s: the start state of arm %d is not valid", getName().c_str(), arm);
   }
 }
 

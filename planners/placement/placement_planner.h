@@ -82,6 +82,7 @@ class PlacementPlanner : public WithParameters<GuardedPlanner, PlacementPlannerP
   double threshold_before_ = 0.0;  ///< of the goal, when the search began
   std::shared_ptr<PlacementPathObjective> ranking_;
   std::unique_ptr<RedirectableSearch> search_;
+  unsigned starts_seen_ = 0;  ///< of the problem definition
   std::unique_ptr<LocalOptimiser> local_;
   std::map<GoalId, double> objectives_;  ///< of open goals
   std::optional<ompl::geometric::PathGeometric> best_path_;

@@ -170,8 +170,9 @@ TEST_F(Place, ArmWithoutAStartIsNotUsed) {
 
 TEST_F(Place, BestSolutionComesFirstInTheProblemDefinition) {
   LeverProblem setup(withBlocks(), nearTo({0.6, -0.5}));
-  EXPECT_EQ(solve(setup, 0.5), ob::PlannerStatus::EXACT_SOLUTION);
-  ASSERT_FALSE(improvements.empty());
+  satisfiedBy(setup, kGoodEnough);
+  EXPECT_EQ(solve(setup, kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
+  ASSERT_GT(improvements.size(), 1u);
   const auto solutions = setup.problem->getSolutions();
   EXPECT_EQ(solutions.size(), improvements.size());
   auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();
@@ -184,10 +185,13 @@ TEST_F(Place, BestSolutionComesFirstInTheProblemDefinition) {
 
 TEST_F(Place, SolveGoesOn) {
   LeverProblem setup(withBlocks(), nearTo({0.6, -0.5}));
-  EXPECT_EQ(solve(setup, 0.3), ob::PlannerStatus::EXACT_SOLUTION);
-  const double before = planner->bestObjective();
-  EXPECT_EQ(planner->ob::Planner::solve(0.3), ob::PlannerStatus::EXACT_SOLUTION);
-  EXPECT_GE(planner->bestObjective(), before);
+  satisfiedBy(setup, -2.0);
+  EXPECT_EQ(solve(setup, kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
+  const std::size_t before = improvements.size();
+  setup.problem->getOptimizationObjective()->setCostThreshold(ob::Cost(kGoodEnough));
+  EXPECT_EQ(planner->ob::Planner::solve(kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
+  EXPECT_GT(planner->bestObjective(), kGoodEnough);
+  EXPECT_GE(improvements.size(), before);
   expectSound(setup);
   setup.problem->clearSolutionPaths();
   EXPECT_EQ(planner->ob::Planner::solve(0.0), ob::PlannerStatus::EXACT_SOLUTION);
@@ -199,7 +203,8 @@ TEST_F(Place, SolveGoesOn) {
 TEST_F(Place, ClearForgetsAndFreesTheGoalOfItsThreshold) {
   LeverProblem setup(LeverWorld{}, nearTo({0.6, 0.0}));
   setup.goal->setObjectiveThreshold(-1.0);
-  EXPECT_EQ(solve(setup, 0.3), ob::PlannerStatus::EXACT_SOLUTION);
+  satisfiedBy(setup, -0.2);
+  EXPECT_EQ(solve(setup, kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
   EXPECT_EQ(setup.goal->objectiveThreshold(), planner->bestObjective());
   for (const Improvement& improvement : improvements) EXPECT_GT(improvement.objective, -1.0);
   planner->clear();
@@ -209,7 +214,7 @@ TEST_F(Place, ClearForgetsAndFreesTheGoalOfItsThreshold) {
   planner->getPlannerData(data);
   EXPECT_EQ(data.numVertices(), 0u);
   setup.problem->clearSolutionPaths();
-  EXPECT_EQ(planner->ob::Planner::solve(0.3), ob::PlannerStatus::EXACT_SOLUTION);
+  EXPECT_EQ(planner->ob::Planner::solve(kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
 }
 
 TEST_F(Place, NothingIsFoundWhereNothingFits) {
@@ -336,7 +341,8 @@ TEST_F(Place, EndsSoonAfterBeingToldTo) {
 
 TEST_F(Place, PlannerDataAndProgressSayWhatThereIs) {
   LeverProblem setup(withBlocks(), nearTo({0.6, -0.5}));
-  EXPECT_EQ(solve(setup, 0.3), ob::PlannerStatus::EXACT_SOLUTION);
+  satisfiedBy(setup, kGoodEnough);
+  EXPECT_EQ(solve(setup, kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
   ob::PlannerData data(setup.si);
   planner->getPlannerData(data);
   EXPECT_EQ(data.numStartVertices(), 2u);
