@@ -108,8 +108,9 @@ bool Clearance::touches(const PlacedBody& obstacle, const Vector3d& p_W, double 
 
 double Clearance::at(const Vector3d& p_W) const {
   constexpr double kResolution_m = 2e-4;
-  const double lowest_m = p_W.z() - 0.5 * task_.cell_m;  // of what counts as not lower
-  const Vector3d p = p_W.cwiseMax(task_.min_m).cwiseMin(task_.max_m);
+  const Vector3d half_cell = Vector3d::Constant(0.5 * task_.cell_m);
+  const Vector3d p = p_W.cwiseMax(task_.min_m + half_cell).cwiseMin(task_.max_m - half_cell);
+  const double lowest_m = p.z() - 0.5 * task_.cell_m;  // of what counts as not lower
   const ConvexBody point = ConvexBody::hull({p});
   double nearest = (task_.max_m - task_.min_m).norm();
   for (const PlacedBody& obstacle : obstacles_) {

@@ -23,7 +23,8 @@ class Clearance {
   /// C (m). Without any obstacle in the volume: the volume's diagonal.
   double mean_m(const Eigen::Isometry3d& X_WO) const;
 
-  /// d_S of one point (m). A point outside the volume counts as the nearest one inside.
+  /// d_S of one point (m). A point outside the volume, or within half a cell of the placement grid
+  /// from its border, counts as the nearest one farther inside.
   double at(const Eigen::Vector3d& p_W) const;
 
  private:

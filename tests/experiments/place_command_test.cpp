@@ -67,7 +67,7 @@ TEST(PlaceCommand, SaysWhyThereIsNoPlacement) {
   const TemporaryFolder folder;
   const std::string file = folder / "r.json";
   const std::string scene =
-      changedScene(folder, {{"position_m: [0.05, -0.02, 0], rpy", "position_m: [0.05, -2.02, 0], rpy"}});
+      changedScene(folder, {{"position_m: [0, -0.1, 0], rpy", "position_m: [0, -2.1, 0], rpy"}});
   const CommandRun run = runB4p("place " + scene + " --time-limit-s 1 --out " + file);
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("no placement: "));

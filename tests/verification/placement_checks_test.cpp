@@ -125,6 +125,15 @@ TEST(Clearance, WhatIsOutsideOfTheVolumeDoesNotCount) {
   EXPECT_NEAR(clearance.at({0.9, 0.9, 0.5}), std::hypot(0.85, 0.05), 2e-3);
 }
 
+TEST(Clearance, PointsOutsideOfTheVolumeCountAsThoseAtItsBorder) {
+  Scene scene = onTheFloor();
+  scene.place->max_m.z() = 0.4;
+  scene.obstacles.push_back(box("tower", {0.2, 0.2, 0.45}, {0.0, 0.0, 0.225}));
+  const Clearance clearance(scene);
+  EXPECT_NEAR(clearance.at({0.5, 0.0, 0.39}), 0.4, 1e-6);
+  EXPECT_NEAR(clearance.at({0.5, 0.0, 0.6}), 0.4, 1e-6) << "as at the top of the volume";
+}
+
 TEST(Clearance, OfAnObjectIsTheMeanOverItsPoints) {
   Scene scene = onTheFloor();
   scene.obstacles.push_back(box("wall", {0.1, 2.0, 1.0}, {0.55, 0.0, 0.5}));
