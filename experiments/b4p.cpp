@@ -37,6 +37,7 @@ int runCommandLine(int argc, char** argv) {
   addGenerateCommand(app, run);
   addImportCommand(app, run);
   addCertifyCommand(app, run);
+  addPlaceCommand(app, run);
   addSurfacesCommand(app, run);
   try {
     app.parse(argc, argv);

@@ -17,7 +17,8 @@ const Meanings kOfParallelPlanners{
     {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
     {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
     {"slice",
-     "first turn of growth of a grasp's trees before others have theirs (iterations); b4p: every turn"},
+     "first turn of growth of a grasp's trees before others have theirs (iterations); b4p and "
+     "redirectable-rrtconnect: every turn"},
     {"retreat_steps", "b4p: nodes in a row on each straight way out of a root; 0: no such ways (count)"},
     {"root_attempts",
      "b4p: placements tried per turn of root drawing; rrt-restart: per slice of growth (count)"},

@@ -15,6 +15,7 @@
 #include "planners/baselines/rrt_individual.h"
 #include "planners/baselines/rrt_restart.h"
 #include "planners/baselines/rrt_shared.h"
+#include "planners/placement/redirectable_rrt_connect.h"
 #include "planners/reach/bik_rrt.h"
 #include "planners/reach/ik_rrt.h"
 #include "planners/reach/jplus_rrt.h"
@@ -88,6 +89,10 @@ PlannerCatalogue PlannerCatalogue::standard() {
       {"rrt-restart",
        "a race of RRT-Connects over pairs of grasp and placement, in slices that grow; none is dropped", 0,
        make<RRTRestart>});
+  catalogue.add({"redirectable-rrtconnect",
+                 "RRT-Connect per grasp, in slices, whose goals can be added and removed while it keeps its "
+                 "trees",
+                 0, make<RedirectableRRTConnect>});
   catalogue.add(
       {"rrtconnect",
        "OMPL's RRTConnect on joints x grasp: all picks as starts, placements as goals; when reaching, "

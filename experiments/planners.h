@@ -29,8 +29,8 @@ using PlannerParameters = std::map<std::string, std::string>;
 /// The planners there are, in the order they are listed.
 class PlannerCatalogue {
  public:
-  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect; for reaching b4p, rrtconnect,
-  /// jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar.
+  /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, redirectable-rrtconnect, rrtconnect; for
+  /// reaching b4p, rrtconnect, jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar.
   static PlannerCatalogue standard();
 
   void add(PlannerKind kind) { kinds_.push_back(std::move(kind)); }

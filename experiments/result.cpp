@@ -21,13 +21,6 @@ void requireFinite(double number, const char* name) {
 
 Json listOf(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-Json toJson(const Eigen::Isometry3d& X, const char* name) {
-  requireFinite(X.matrix().sum(), name);
-  Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back(listOf(X.linear().row(i)));
-  return {{"position_m", listOf(X.translation())}, {"rotation", rows}};
-}
-
 Json toJson(const Verification& verification) {
   requireFinite(verification.step_m, "verification.step_m");
   requireFinite(verification.clearance_m, "verification.clearance_m");
@@ -36,19 +29,6 @@ Json toJson(const Verification& verification) {
           {"step_m", verification.step_m},
           {"configurations", verification.configurations},
           {"clearance_m", verification.clearance_m}};
-}
-
-Eigen::Isometry3d readPose(const JsonValue& pose) {
-  pose.requireKeys({"position_m", "rotation"});
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  const std::vector<double> position = pose["position_m"].numbers(3);
-  const std::vector<JsonValue> rows = pose["rotation"].items(3);
-  for (int i = 0; i < 3; ++i) {
-    X.translation()[i] = position[static_cast<std::size_t>(i)];
-    const std::vector<double> row = rows[static_cast<std::size_t>(i)].numbers(3);
-    for (int j = 0; j < 3; ++j) X.linear()(i, j) = row[static_cast<std::size_t>(j)];
-  }
-  return X;
 }
 
 Verification readVerification(const JsonValue& element) {
@@ -64,11 +44,11 @@ Verification readVerification(const JsonValue& element) {
 
 void readMotion(const JsonValue& root, PlanResult& result) {
   if (root.has(kReached)) {
-    result.X_WT_reached = readPose(root[kReached]);
+    result.X_WT_reached = poseFrom(root[kReached]);
   } else {
     result.grasp = graspFrom(root["grasp"]);
-    result.X_WO_pick = readPose(root["X_WO_pick"]);
-    result.X_WO_place = readPose(root["X_WO_place"]);
+    result.X_WO_pick = poseFrom(root["X_WO_pick"]);
+    result.X_WO_place = poseFrom(root["X_WO_place"]);
   }
   for (const JsonValue& name : root["joint_names"].items()) result.joint_names.push_back(name.text());
   for (const JsonValue& row : root["path"].items())
@@ -77,23 +57,43 @@ void readMotion(const JsonValue& root, PlanResult& result) {
 
 /// What the hand holds, or where it comes to.
 Json handJson(const PlanResult& result) {
-  if (result.X_WT_reached) return {{kReached, toJson(*result.X_WT_reached, kReached)}};
+  if (result.X_WT_reached) return {{kReached, poseJson(*result.X_WT_reached, kReached)}};
   return {{"grasp", graspJson(result.grasp)},
-          {"X_WO_pick", toJson(result.X_WO_pick, "X_WO_pick")},
-          {"X_WO_place", toJson(result.X_WO_place, "X_WO_place")}};
+          {"X_WO_pick", poseJson(result.X_WO_pick, "X_WO_pick")},
+          {"X_WO_place", poseJson(result.X_WO_place, "X_WO_place")}};
 }
 
 }  // namespace
 
+Json poseJson(const Eigen::Isometry3d& X, const char* name) {
+  requireFinite(X.matrix().sum(), name);
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back(listOf(X.linear().row(i)));
+  return {{"position_m", listOf(X.translation())}, {"rotation", rows}};
+}
+
+Eigen::Isometry3d poseFrom(const JsonValue& pose) {
+  pose.requireKeys({"position_m", "rotation"});
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  const std::vector<double> position = pose["position_m"].numbers(3);
+  const std::vector<JsonValue> rows = pose["rotation"].items(3);
+  for (int i = 0; i < 3; ++i) {
+    X.translation()[i] = position[static_cast<std::size_t>(i)];
+    const std::vector<double> row = rows[static_cast<std::size_t>(i)].numbers(3);
+    for (int j = 0; j < 3; ++j) X.linear()(i, j) = row[static_cast<std::size_t>(j)];
+  }
+  return X;
+}
+
 Json graspJson(const Grasp& grasp) {
   requireFinite(grasp.opening_m, "grasp.opening_m");
-  return {{"X_OT", toJson(grasp.X_OT, "grasp.X_OT")}, {"opening_m", grasp.opening_m}};
+  return {{"X_OT", poseJson(grasp.X_OT, "grasp.X_OT")}, {"opening_m", grasp.opening_m}};
 }
 
 Grasp graspFrom(const JsonValue& value) {
   value.requireKeys({"X_OT", "opening_m"});
   Grasp grasp;
-  grasp.X_OT = readPose(value["X_OT"]);
+  grasp.X_OT = poseFrom(value["X_OT"]);
   grasp.opening_m = value["opening_m"].number();
   return grasp;
 }

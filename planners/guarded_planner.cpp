@@ -7,6 +7,8 @@
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/util/Console.h>
 
+#include "planners/place_goal.h"
+
 namespace b4p {
 
 namespace ob = ompl::base;
@@ -50,8 +52,26 @@ void GuardedPlanner::addSolution(const og::PathGeometric& path) {
   pdef_->addSolutionPath(solution);
 }
 
+void GuardedPlanner::checkValidityOfDrawnStarts() {
+  const bool draws_its_starts = pdef_ && dynamic_cast<const PlaceGoal*>(pdef_->getGoal().get()) != nullptr;
+  if (!draws_its_starts) return Planner::checkValidity();
+  if (!isSetup()) setup();
+}
+
+// Listed goals that have all been taken do not become more; sampled ones may, as long as the goal could
+// sample.
+bool GuardedPlanner::mayGiveMore(const ob::GoalSampleableRegion& goal) const {
+  const bool listed =
+      goal.hasType(ob::GOAL_STATE) || (goal.hasType(ob::GOAL_STATES) && !goal.hasType(ob::GOAL_LAZY_SAMPLES));
+  return pis_.haveMoreGoalStates() || (!listed && goal.couldSample());
+}
+
+// Without a condition of its own, nextGoal() gives up instead of waiting for goals that never come.
+const ob::State* GuardedPlanner::awaitGoal(const ob::PlannerTerminationCondition& ptc) {
+  return pis_.haveMoreGoalStates() ? pis_.nextGoal() : pis_.nextGoal(ptc);
+}
+
 void addTo(ob::PlannerData& data, const Node& node) {
-  constexpr int kPickTag = 1, kPlaceTag = 2;
   const bool pick = node.tree->side == Side::kPick;
   const ob::PlannerDataVertex vertex(node.state, pick ? kPickTag : kPlaceTag);
   if (node.parent == nullptr) {

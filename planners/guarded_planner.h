@@ -7,6 +7,7 @@
 
 #include <ompl/base/Planner.h>
 #include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Exception.h>
 
@@ -36,12 +37,25 @@ class GuardedPlanner : public ompl::base::Planner {
 
   void addSolution(const ompl::geometric::PathGeometric& path);
 
+  /// checkValidity() of a planner that draws picks from a PlaceGoal by itself: there, start states may be
+  /// missing.
+  void checkValidityOfDrawnStarts();
+
+  /// False when the goal's states have all been taken.
+  bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
+
+  /// The problem's next goal state, waiting for goals that are sampled meanwhile; nullptr when there is none
+  /// for now.
+  const ompl::base::State* awaitGoal(const ompl::base::PlannerTerminationCondition& ptc);
+
  private:
   std::string last_error_;
 };
 
-/// Adds a node with the edge from its parent. Vertices are tagged 1 (pick side) or 2 (place side); edges
-/// point from pick to place.
+/// Tags of vertices by the side of their tree.
+constexpr int kPickTag = 1, kPlaceTag = 2;
+
+/// Adds a node with the edge from its parent. Edges point from pick to place.
 void addTo(ompl::base::PlannerData& data, const Node& node);
 
 /// Adds the edge over a junction, whose nodes have been added before.

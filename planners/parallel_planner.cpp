@@ -33,11 +33,7 @@ void ParallelPlanner::forget() {
   statistics_.reset();
 }
 
-void ParallelPlanner::checkValidity() {
-  const bool draws_its_starts = pdef_ && dynamic_cast<const PlaceGoal*>(pdef_->getGoal().get()) != nullptr;
-  if (!draws_its_starts) return Planner::checkValidity();
-  if (!isSetup()) setup();
-}
+void ParallelPlanner::checkValidity() { checkValidityOfDrawnStarts(); }
 
 ob::PlannerStatus ParallelPlanner::search(const ob::PlannerTerminationCondition& ptc) {
   const auto* goal = dynamic_cast<const ob::GoalSampleableRegion*>(pdef_->getGoal().get());
@@ -118,19 +114,10 @@ void ParallelPlanner::plantStarts() {
   }
 }
 
-// Listed goals that have all been taken do not become more; sampled ones may, as long as the goal could
-// sample.
-bool ParallelPlanner::mayGiveMore(const ob::GoalSampleableRegion& goal) const {
-  const bool listed =
-      goal.hasType(ob::GOAL_STATE) || (goal.hasType(ob::GOAL_STATES) && !goal.hasType(ob::GOAL_LAZY_SAMPLES));
-  return pis_.haveMoreGoalStates() || (!listed && goal.couldSample());
-}
-
 bool ParallelPlanner::plantFirstGoal(const ob::GoalSampleableRegion& goal,
                                      const ob::PlannerTerminationCondition& ptc) {
   while (search_->rootCount(Side::kPlace) == 0 && !ptc && mayGiveMore(goal)) {
-    // Without a condition of its own, nextGoal() gives up instead of waiting for goals that never come.
-    const ob::State* state = pis_.haveMoreGoalStates() ? pis_.nextGoal() : pis_.nextGoal(ptc);
+    const ob::State* state = awaitGoal(ptc);
     if (state != nullptr) search_->addRoot(Side::kPlace, state, search_->grasps().get(state));
   }
   return search_->rootCount(Side::kPlace) > 0;

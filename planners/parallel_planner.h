@@ -56,7 +56,6 @@ class ParallelPlanner : public GuardedPlanner {
   ompl::base::PlannerStatus plantRoots(const ompl::base::GoalSampleableRegion& goal,
                                        const ompl::base::PlannerTerminationCondition& ptc);
   void plantStarts();
-  bool mayGiveMore(const ompl::base::GoalSampleableRegion& goal) const;
   bool plantFirstGoal(const ompl::base::GoalSampleableRegion& goal,
                       const ompl::base::PlannerTerminationCondition& ptc);
 

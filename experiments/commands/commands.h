@@ -28,6 +28,7 @@ void addVerifyCommand(CLI::App& app, Run& run);
 void addGenerateCommand(CLI::App& app, Run& run);
 void addImportCommand(CLI::App& app, Run& run);
 void addCertifyCommand(CLI::App& app, Run& run);
+void addPlaceCommand(CLI::App& app, Run& run);
 void addSurfacesCommand(CLI::App& app, Run& run);
 
 }  // namespace b4p

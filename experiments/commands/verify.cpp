@@ -6,16 +6,40 @@
 #include <memory>
 
 #include "experiments/commands/commands.h"
-#include "experiments/result.h"
+#include "experiments/placement/placement_check.h"
+#include "experiments/placement/placement_file.h"
+#include "experiments/placement/placement_result_json.h"
+#include "experiments/result_json.h"
 #include "experiments/scene.h"
 #include "robots/input_error.h"
 
 namespace b4p {
 namespace {
 
+ExitCode verifyPlacements(const std::string& file, PlacementResult result) {
+  if (!result.solved()) {
+    std::cout << file << ": holds no placement (" << result.status << ")\n";
+    return kUnsolved;
+  }
+  verifyImprovements(loadPlacementScene(result.scene), result);
+  const std::string failure = firstFailure(result);
+  if (!failure.empty()) {
+    std::cout << file << ": FAILED: " << failure << "\n";
+    return kNotVerified;
+  }
+  const PlacementVerification& best = result.improvements.back().verification;
+  std::cout << file << ": passed, " << result.improvements.size() << " improvements, the last at "
+            << best.configurations << " configurations at most " << best.step_m << " m apart, objective "
+            << best.objective_m << " m\n";
+  return kSolved;
+}
+
 /// @return the exit code that this file alone would give
 ExitCode verifyFile(const std::string& file) {
-  const PlanResult result = readResult(file);
+  const Json document = readJson(file);
+  if (isPlacementResult(document))
+    return verifyPlacements(file, placementResultFrom(JsonValue(file, "", document)));
+  const PlanResult result = resultFrom(JsonValue(file, "", document));
   const std::string contradiction = inconsistency(result);
   if (!contradiction.empty()) {
     std::cout << file << ": FAILED: " << contradiction << "\n";
@@ -61,7 +85,8 @@ void addVerifyCommand(CLI::App& app, Run& run) {
                                          "fails, else 2 if any cannot be read, else 1 if any "
                                          "holds no path, else 0");
   auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("RESULT", *files, "Result files (JSON) that `b4p plan` or `b4p bench` wrote")
+  command
+      ->add_option("RESULT", *files, "Result files (JSON) that `b4p plan`, `b4p place` or `b4p bench` wrote")
       ->required();
   command->callback([&run, files] { run = [files] { return verifyFiles(*files); }; });
 }

@@ -77,6 +77,14 @@ void CollisionSweep::addBody(std::string name, int link, bool held, const Placed
       {std::move(name), link, held, placed, motion, placed.X_LS, placed.X_LS * placed.body.centre()});
 }
 
+void CollisionSweep::addObject(const std::string& name, const std::vector<PlacedShape>& pieces,
+                               const Grasp& grasp) {
+  const Eigen::Isometry3d X_TO = grasp.X_OT.inverse(Eigen::Isometry);
+  for (const PlacedShape& piece : pieces)
+    addBody("object '" + name + "'", robot_.tcpLink(), true,
+            {ConvexBody::of(piece.shape), X_TO * piece.X_BS});
+}
+
 void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
   const UrdfTree& tree = robot_.tree();
   for (int link = 0; link < static_cast<int>(tree.links.size()); ++link) {
@@ -84,12 +92,10 @@ void CollisionSweep::addBodies(const Scene& scene, const Grasp& grasp) {
     for (const PlacedBody& placed : urdf_link.bodies)
       addBody("link '" + urdf_link.name + "'", link, false, placed);
   }
-  if (const auto* task = std::get_if<PickPlaceTask>(&scene.task)) {
-    const Eigen::Isometry3d X_TO = grasp.X_OT.inverse(Eigen::Isometry);
-    for (const PlacedShape& piece : task->object)
-      addBody("object '" + task->object_name + "'", robot_.tcpLink(), true,
-              {ConvexBody::of(piece.shape), X_TO * piece.X_BS});
-  }
+  if (const auto* task = std::get_if<PickPlaceTask>(&scene.task))
+    addObject(task->object_name, task->object, grasp);
+  if (const auto* task = std::get_if<PlacementTask>(&scene.task))
+    addObject(task->object_name, task->object, grasp);
   for (const Obstacle& obstacle : scene.obstacles)
     addBody("obstacle '" + obstacle.name + "'", kWorld, false,
             {ConvexBody::of(obstacle.shape.shape), obstacle.shape.X_BS});

@@ -42,6 +42,7 @@ class CollisionSweep {
   /// @throws std::length_error when it has more than kMostSteps
   std::optional<Contact> firstContact(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2);
 
+  double step_m() const { return step_m_; }
   long samples() const { return samples_; }  ///< configurations covered so far
   /// Smallest distance at any of them (m); 0 when nothing could touch.
   double clearance_m() const;
@@ -65,6 +66,7 @@ class CollisionSweep {
     Eigen::Vector3d direction;  ///< of the gap found last
   };
 
+  void addObject(const std::string& name, const std::vector<PlacedShape>& pieces, const Grasp& grasp);
   void addBodies(const Scene& scene, const Grasp& grasp);
   void addPairs(const Scene& scene);
   void addBody(std::string name, int link, bool held, const PlacedBody& placed);

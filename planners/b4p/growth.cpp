@@ -9,40 +9,6 @@ namespace b4p {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace {
-
-Expansion expandFrom(ForestPair& forests, const Node* near, const ob::State* target, Motion& motion) {
-  if (motion.grasps().samePlace(near->state, target)) return {near, true, false};
-  const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp, near->tree->side);
-  if (reach == Motion::Reach::kTrapped) return {};
-  return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached, true};
-}
-
-}  // namespace
-
-Expansion expand(ForestPair& forests, Side side, const ob::State* target, Motion& motion) {
-  const Node* near = forests.nearest(side, target);
-  return near == nullptr ? Expansion{} : expandFrom(forests, near, target, motion);
-}
-
-Growth growAndConnect(ForestPair& forests, Side side, const ob::State* target, Motion& motion) {
-  Growth growth;
-  const Expansion expansion = expand(forests, side, target, motion);
-  growth.grown = expansion.node;
-  growth.nodes = expansion.added;
-  if (growth.grown == nullptr) return growth;
-  Expansion met = expand(forests, opposite(side), growth.grown->state, motion);
-  growth.nodes += met.added;
-  while (met.node != nullptr && !met.reached) {
-    met = expandFrom(forests, met.node, growth.grown->state, motion);
-    growth.nodes += met.added;
-  }
-  if (met.reached)
-    growth.junction =
-        side == Side::kPick ? Junction{growth.grown, met.node} : Junction{met.node, growth.grown};
-  return growth;
-}
-
 JoinedPath pathThrough(const Junction& junction, const ob::SpaceInformationPtr& si) {
   const GraspAccess grasps(si);
   const GraspId grasp = junction.pick->tree->grasp;

@@ -23,9 +23,24 @@ struct Expansion {
   bool added = false;          ///< false when the target was in the tree already
 };
 
-/// Extends the tree nearest to `target` on one side as far as the motion stays free (Algorithm 3,
-/// FindNearestTree and ExpandTree). Nothing while the side has no tree.
-Expansion expand(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
+/// Extends a tree from `near` towards `target` as far as the motion stays free (Algorithm 3, ExpandTree).
+/// @tparam Forests  a ForestPair, or what has its grow()
+template <class Forests>
+Expansion expandFrom(Forests& forests, const Node* near, const ompl::base::State* target, Motion& motion) {
+  if (motion.grasps().samePlace(near->state, target)) return {near, true, false};
+  const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp, near->tree->side);
+  if (reach == Motion::Reach::kTrapped) return {};
+  return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached, true};
+}
+
+/// Extends the tree nearest to `target` on one side (FindNearestTree and ExpandTree). Nothing while the side
+/// has no tree.
+/// @tparam Forests  a ForestPair, or what has its grow() and nearest()
+template <class Forests>
+Expansion expand(Forests& forests, Side side, const ompl::base::State* target, Motion& motion) {
+  const Node* near = forests.nearest(side, target);
+  return near == nullptr ? Expansion{} : expandFrom(forests, near, target, motion);
+}
 
 /// What one iteration of growAndConnect() led to.
 struct Growth {
@@ -36,7 +51,25 @@ struct Growth {
 
 /// One iteration of RRT-Connect on forests whose trees share a grasp: `side` grows toward `target`, the other
 /// side then grows toward the new node.
-Growth growAndConnect(ForestPair& forests, Side side, const ompl::base::State* target, Motion& motion);
+/// @tparam Forests  see expand()
+template <class Forests>
+Growth growAndConnect(Forests& forests, Side side, const ompl::base::State* target, Motion& motion) {
+  Growth growth;
+  const Expansion expansion = expand(forests, side, target, motion);
+  growth.grown = expansion.node;
+  growth.nodes = expansion.added;
+  if (growth.grown == nullptr) return growth;
+  Expansion met = expand(forests, opposite(side), growth.grown->state, motion);
+  growth.nodes += met.added;
+  while (met.node != nullptr && !met.reached) {
+    met = expandFrom(forests, met.node, growth.grown->state, motion);
+    growth.nodes += met.added;
+  }
+  if (met.reached)
+    growth.junction =
+        side == Side::kPick ? Junction{growth.grown, met.node} : Junction{met.node, growth.grown};
+  return growth;
+}
 
 /// A path from a pick root over a junction to a place root.
 struct JoinedPath {

@@ -13,6 +13,7 @@
 #include "planners/baselines/rrt_individual.h"
 #include "planners/baselines/rrt_restart.h"
 #include "planners/baselines/rrt_shared.h"
+#include "planners/placement/redirectable_rrt_connect.h"
 
 namespace b4p::test {
 
@@ -50,6 +51,13 @@ inline PlannerCase sharedCase(unsigned threads) {
   return plannerCase<RRTShared>("RRTShared", parameters, threads);
 }
 
+inline PlannerCase redirectableCase() {
+  const auto make = [](const ompl::base::SpaceInformationPtr& si) {
+    return std::make_shared<RedirectableRRTConnect>(si);
+  };
+  return {"RedirectableRRTConnect", 1, make};
+}
+
 inline std::vector<PlannerCase> plannerCases() {
   std::vector<PlannerCase> cases;
   for (const unsigned threads : {1u, 2u, 4u, 8u}) {
@@ -61,6 +69,7 @@ inline std::vector<PlannerCase> plannerCases() {
     cases.push_back(sharedCase(threads));
     cases.push_back(plannerCase<RRTRestart>("RRTRestart", RRTRestartParameters{}, threads));
   }
+  cases.push_back(redirectableCase());
   return cases;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drop-in promise: B4P and the baselines (which are all alike here) solve, without grasps and on any
-// state space, the kinds of problem that OMPL tests its own planners with: circles in the plane, a map, rigid
-// bodies in SE(2) and SE(3), the corridor along a hypercube's edges, a chain in SO(2)^n, a car that cannot go
-// sideways, goal regions that are sampled while it plans, and several starts.
+// The drop-in promise: B4P, the baselines (which are all alike here) and RedirectableRRTConnect solve,
+// without grasps and on any state space, the kinds of problem that OMPL tests its own planners with: circles
+// in the plane, a map, rigid bodies in SE(2) and SE(3), the corridor along a hypercube's edges, a chain in
+// SO(2)^n, a car that cannot go sideways, goal regions that are sampled while it plans, and several starts.
 #include <cmath>
 #include <functional>
 #include <random>
@@ -266,7 +266,7 @@ TEST_P(OmplProblem, SeveralStartsAndGoalsSampledMeanwhile) {
 
 INSTANTIATE_TEST_SUITE_P(Planners, OmplProblem,
                          ::testing::Values(b4pCase(1, false), b4pCase(2, false), b4pCase(2, true),
-                                           sharedCase(2)),
+                                           sharedCase(2), redirectableCase()),
                          caseName);
 
 }  // namespace

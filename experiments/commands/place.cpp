@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "experiments/commands/commands.h"
+#include "experiments/commands/key_values.h"
+#include "experiments/commands/progress_line.h"
+#include "experiments/commands/whole_number.h"
+#include "experiments/interrupt.h"
+#include "experiments/output_file.h"
+#include "experiments/placement/placement_check.h"
+#include "experiments/placement/placement_file.h"
+#include "experiments/placement/placement_query.h"
+#include "experiments/query.h"
+#include "experiments/scene_files/data_files.h"
+
+namespace b4p {
+namespace {
+
+constexpr const char* kWhere = "b4p place";
+
+struct Options {
+  std::string scene;
+  std::string objective;
+  std::string sampling = "tree";
+  std::vector<std::string> parameters;
+  std::string seed = "1";
+  double time_limit_s = 0.0;
+  bool has_time_limit = false;
+  std::string out = "result.json";
+};
+
+PlacementQuerySettings settingsFrom(const Options& options, const Scene& scene) {
+  PlacementQuerySettings settings;
+  if (!options.objective.empty()) settings.objective = clearanceGoal(options.objective, kWhere);
+  settings.options.sampling = placementSampling(options.sampling, kWhere);
+  settings.parameters = keyValues(options.parameters, kWhere);
+  settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
+  settings.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;
+  requireTimeLimit(settings.time_limit_s, kWhere, "--time-limit-s");
+  return settings;
+}
+
+PlacementResult solveShowingProgress(PlacementQuery& query, double time_limit_s) {
+  const auto start = std::chrono::steady_clock::now();
+  const ProgressLine progress([&query, start, time_limit_s] {
+    std::ostringstream line;
+    line.precision(1);
+    line << std::fixed << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
+         << " of " << time_limit_s << " s";
+    for (const auto& [name, value] : query.planner().getPlannerProgressProperties())
+      line << ", " << name.substr(0, name.rfind(' ')) << ' ' << value();
+    return line.str();
+  });
+  return query.solve();
+}
+
+void report(const PlacementResult& result, const std::string& file) {
+  std::cout << result.scene << ", " << result.objective << ": " << result.status << " after "
+            << result.planning_time_s << " s, seed " << result.seed << "\n";
+  for (const PlacementImprovement& improvement : result.improvements) {
+    const PlacementVerification& verification = improvement.verification;
+    std::cout << "  " << improvement.time_s << " s: objective " << improvement.objective_m << " m, arm "
+              << result.arms[static_cast<std::size_t>(improvement.arm)] << ", " << improvement.path.size()
+              << " way-points, ";
+    if (verification.passed)
+      std::cout << "verified at " << verification.configurations << " configurations\n";
+    else
+      std::cout << "NOT verified: " << verification.failure << "\n";
+  }
+  if (!result.solved()) std::cout << "no placement: " << result.reason << "\n";
+  std::cout << "written to " << file << "\n";
+}
+
+int place(const Options& options) {
+  const Scene scene = loadPlacementScene(options.scene);
+  const PlacementQuerySettings settings = settingsFrom(options, scene);
+  const std::string scene_name = isPath(options.scene)
+                                     ? std::filesystem::absolute(options.scene).lexically_normal().string()
+                                     : options.scene;
+  PlacementQuery query(scene, scene_name, settings, kWhere);
+  requireWritableFile(options.out);
+
+  catchInterrupts();
+  PlacementResult result = solveShowingProgress(query, settings.time_limit_s);
+  verifyImprovements(scene, result);
+  writePlacementResult(options.out, result);
+  report(result, options.out);
+  if (!query.planner().lastError().empty()) {
+    std::cerr << "b4p: placing ended by an exception: " << query.planner().lastError() << std::endl;
+    return kInternalError;
+  }
+  if (result.solved()) return result.verified() ? kSolved : kNotVerified;
+  return interrupted() ? kInterrupted : kUnsolved;
+}
+
+}  // namespace
+
+void addPlaceCommand(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand(
+      "place", "Find ever better placements in a placement scene, verify them and write them to a file");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->scene, "Placement scene: a name, or a path to a YAML file")
+      ->required();
+  command->add_option("--objective", options->objective,
+                      "max_clearance or min_clearance [the scene's objective]");
+  command
+      ->add_option("--sampling", options->sampling,
+                   "How placements are drawn: tree (Monte Carlo tree search), children or area (uniform)")
+      ->capture_default_str();
+  command->add_option("--param", options->parameters, "KEY=VALUE: a parameter of the planner; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--seed", options->seed, "Seed; it determines the placements but for their times")
+      ->capture_default_str();
+  CLI::Option* limit = command->add_option("--time-limit-s", options->time_limit_s,
+                                           "Time limit in seconds, > 0 [the scene's budget_s]");
+  command->add_option("--out", options->out, "Result file (JSON)")->capture_default_str();
+  command->callback([&run, options, limit] {
+    options->has_time_limit = limit->count() > 0;
+    run = [options] { return place(*options); };
+  });
+}
+
+}  // namespace b4p
