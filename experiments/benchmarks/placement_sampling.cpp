@@ -129,7 +129,7 @@ void measure(const std::string& name, const std::vector<Variant>& variants, int 
   for (const auto& [goal, sense] :
        {std::pair(ClearanceGoal::kLargest, "max"), {ClearanceGoal::kSmallest, "min"}}) {
     Scene task = scene;
-    task.place->objective = goal;
+    task.placing().objective = goal;
     const PlacementProblem problem = makePlacementProblem(task);
     for (const Variant& one : variants) {
       std::vector<Outcome> all;

@@ -25,8 +25,8 @@ Obstacle box(const std::string& name, const Vector3d& size, const Vector3d& cent
 Scene onTheFloor() {
   Scene scene;
   scene.obstacles.push_back(box("floor", {2.0, 2.0, 0.1}, {0.0, 0.0, -0.05}));
+  scene.task = PlacementTask{};
   scene.placing().object.push_back({Box{Vector3d::Constant(0.1)}, Isometry3d::Identity()});
-  scene.place.emplace();
   scene.placing().min_m = {-1.0, -1.0, 0.0};
   scene.placing().max_m = {1.0, 1.0, 1.0};
   scene.placing().cell_m = 0.005;
