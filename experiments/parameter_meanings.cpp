@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/planners.h"
 #include "planners/parallel_planner.h"
+#include "planners/placement/redirectable_rrt_connect.h"
 #include "planners/reach/reach_planner.h"
 
 namespace b4p {
@@ -51,7 +52,9 @@ std::string lookedUp(const Meanings& meanings, const std::string& name) {
 }  // namespace
 
 std::string parameterMeaning(const ompl::base::Planner& planner, const std::string& name) {
-  if (dynamic_cast<const ParallelPlanner*>(&planner) != nullptr) return lookedUp(kOfParallelPlanners, name);
+  if (dynamic_cast<const ParallelPlanner*>(&planner) != nullptr ||
+      dynamic_cast<const RedirectableRRTConnect*>(&planner) != nullptr)
+    return lookedUp(kOfParallelPlanners, name);
   if (dynamic_cast<const ReachPlanner*>(&planner) != nullptr) return lookedUp(kOfReachPlanners, name);
   return "";
 }

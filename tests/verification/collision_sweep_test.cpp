@@ -203,5 +203,13 @@ TEST_F(LinkPairsTest, TheHeldObjectIsComparedWithAllLinksButFingers) {
   EXPECT_EQ(contact(), "");
 }
 
+TEST_F(LinkPairsTest, TheObjectOfAPlacementTaskIsSweptToo) {
+  PlacementTask task;
+  task.object = {{Sphere{0.01}, Eigen::Isometry3d::Identity()}};
+  task.object_name = "bead";
+  scene_.task = task;
+  EXPECT_EQ(contact(), "link 'd', object 'bead'");
+}
+
 }  // namespace
 }  // namespace b4p::verification
