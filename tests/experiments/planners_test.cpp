@@ -58,7 +58,7 @@ TEST_F(Planners, EveryParameterOfThisPackagesPlannersHasAMeaning) {
 
 TEST_F(Planners, AreMadeForTasks) {
   EXPECT_EQ(catalogue_.namesFor(TaskKind::kPickPlace),
-            "b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, rrtconnect");
+            "b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, redirectable-rrtconnect, rrtconnect");
   EXPECT_EQ(catalogue_.namesFor(TaskKind::kReach),
             "b4p, rrtconnect, jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar");
 }
