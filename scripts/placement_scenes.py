@@ -214,7 +214,7 @@ def scene(robot: Robot, place: str, item: str) -> str:
         "# SPDX-License-Identifier: BSD-3-Clause",
         f"# {surroundings.about} Written by scripts/placement_scenes.py.",
         "schema: 1",
-        f"name: {robot.name}_{place}_{item}",
+        f"name: placement_{robot.name}_{place}_{item}",
         f"robot: {robot.name}",
         f"robot_base: {{{pose(base, rpy=(0, 0, yaw))}}}",
         f"edge_step_m: {number(EDGE_STEP_M)}",

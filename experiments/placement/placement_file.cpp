@@ -106,11 +106,15 @@ PlacementTask readPlacementTask(const YamlValue& place, const YamlValue& object,
 }
 
 Scene loadPlacementScene(const std::string& name_or_path) {
-  Scene scene = loadScene(shippedFile(kPlacementScenes, "placement scene", name_or_path));
+  Scene scene = loadScene(name_or_path);
   scene.placing();
   return scene;
 }
 
-std::vector<std::string> placementSceneNames() { return shippedNames(kPlacementScenes); }
+std::vector<std::string> placementSceneNames() {
+  std::vector<std::string> names = shippedNames(kPlacementScenes);
+  for (std::string& name : names) name = "placement/" + name;
+  return names;
+}
 
 }  // namespace b4p

@@ -19,12 +19,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char* kScene = "panda_table_cluttered_small_crayons";
+constexpr const char* kScene = "placement/panda_table_cluttered_small_crayons";
 
 /// A shipped placement scene with changes, in a folder of its own.
 std::string changedScene(const TemporaryFolder& folder,
                          const std::vector<std::pair<std::string, std::string>>& changes) {
-  std::string text = readFile(std::string(B4P_SOURCE) + "/experiments/scenes/placement/" + kScene + ".yaml");
+  std::string text = readFile(std::string(B4P_SOURCE) + "/experiments/scenes/" + kScene + ".yaml");
   for (const auto& [from, to] : changes) text = replaced(text, from, to);
   const std::string file = folder / "scene.yaml";
   writeText(file, text);

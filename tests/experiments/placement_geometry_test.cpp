@@ -246,7 +246,7 @@ TEST(ClearanceObjective, IsTheMeanOverThePointsAndItsBoundHolds) {
 
 TEST(PlacementFaces, FactsObjectsStandOnTheFacesTheyShould) {
   const auto counted = [](const std::string& item) {
-    const Scene scene = loadPlacementScene("panda_table_cluttered_" + item);
+    const Scene scene = loadPlacementScene("placement/panda_table_cluttered_" + item);
     const auto points = hullPoints(scene.placing().object);
     const auto faces = placementFaces(points, scene.placing().p_OCom);
     for (const PlacementFace& face : faces) {
@@ -409,7 +409,7 @@ TEST(PlacementScene, WhatMakesNoSenseIsRefusedInOneLine) {
                            "objective: max_clearance\n  points: {name: cloud, file: none.pcd}"),
               HasSubstr("none.pcd"));
   EXPECT_THAT(sceneRefusal(object, "mesh: {file: none.obj}"), HasSubstr("none.obj"));
-  EXPECT_THROW(loadPlacementScene("panda_moon"), InputError);
+  EXPECT_THROW(loadPlacementScene("placement/panda_moon"), InputError);
 }
 
 TEST(PlacementScene, APointCloudIsPlacedOn) {

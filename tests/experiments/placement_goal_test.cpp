@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <algorithm>
 
 #include "experiments/placement/placement_file.h"
 #include "experiments/placement/placement_problem.h"
@@ -83,8 +84,9 @@ class Judge {
 TEST(PlacementScenes, AllThatShipAreSound) {
   const auto names = placementSceneNames();
   EXPECT_EQ(names.size() % 12, 0u);
-  for (const std::string& name : names) {
+  for (std::string name : names) {
     const Scene scene = loadPlacementScene(name);
+    std::replace(name.begin(), name.end(), '/', '_');
     EXPECT_EQ(scene.name, name);
     const PlacementProblem problem = makePlacementProblem(scene);
     EXPECT_EQ(problem.goal->problem(), "");
@@ -116,14 +118,14 @@ TEST_P(PandaScenes, SamplesStandAreFreeAndBeatTheThreshold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PandaScenes,
-                         ::testing::Values("panda_cabinet_cluttered_small_crayons",
-                                           "panda_table_cluttered_wine_glass",
-                                           "panda_cabinet_sparse_toy_table",
-                                           "panda_table_cluttered_large_crayons"));
+                         ::testing::Values("placement/panda_cabinet_cluttered_small_crayons",
+                                           "placement/panda_table_cluttered_wine_glass",
+                                           "placement/panda_cabinet_sparse_toy_table",
+                                           "placement/panda_table_cluttered_large_crayons"));
 
 TEST(PlacementWorld, LocatesWhatItPlaces) {
   const PlacementProblem problem =
-      makePlacementProblem(loadPlacementScene("panda_table_cluttered_toy_table"));
+      makePlacementProblem(loadPlacementScene("placement/panda_table_cluttered_toy_table"));
   const auto& world = *problem.world;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -150,7 +152,7 @@ TEST(PlacementWorld, LocatesWhatItPlaces) {
 
 TEST(PlacementWorld, HalfOverAnEdgeOrTiltedIsNotStable) {
   const PlacementProblem problem =
-      makePlacementProblem(loadPlacementScene("panda_table_cluttered_small_crayons"));
+      makePlacementProblem(loadPlacementScene("placement/panda_table_cluttered_small_crayons"));
   const auto& world = *problem.world;
   // Upright on the table's front part: its box stands on z = 0.10, the contact is 2.5 mm above.
   const auto at = [](double y, double tilt) {
@@ -169,7 +171,7 @@ TEST(PlacementWorld, HalfOverAnEdgeOrTiltedIsNotStable) {
 }
 
 TEST(PlacementPlanning, RrtConnectPutsTheObjectDown) {
-  const Scene scene = loadPlacementScene("panda_table_cluttered_small_crayons");
+  const Scene scene = loadPlacementScene("placement/panda_table_cluttered_small_crayons");
   const PlacementProblem problem = makePlacementProblem(scene);
   ompl::geometric::RRTConnect planner(problem.si);
   planner.setProblemDefinition(problem.pdef);
@@ -184,11 +186,11 @@ TEST(PlacementPlanning, RrtConnectPutsTheObjectDown) {
 }
 
 TEST(PlacementScenes, APickAndPlaceCommandRefusesThem) {
-  EXPECT_THROW(makeProblem(loadPlacementScene("panda_table_cluttered_small_crayons")), InputError);
+  EXPECT_THROW(makeProblem(loadPlacementScene("placement/panda_table_cluttered_small_crayons")), InputError);
 }
 
 TEST(PlacementScenes, AStartThatCollidesIsRefusedWithThePair) {
-  Scene scene = loadPlacementScene("panda_table_cluttered_small_crayons");
+  Scene scene = loadPlacementScene("placement/panda_table_cluttered_small_crayons");
   scene.placing().arms[0].start = {0.0, 1.2, 0.0, -1.0, 0.0, 1.571, 0.785};
   try {
     makePlacementProblem(scene);
