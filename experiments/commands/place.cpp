@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "experiments/commands/commands.h"
 #include "experiments/commands/key_values.h"
-#include "experiments/commands/progress_line.h"
+#include "experiments/commands/planning_progress.h"
 #include "experiments/commands/whole_number.h"
 #include "experiments/interrupt.h"
 #include "experiments/output_file.h"
@@ -44,20 +41,6 @@ PlacementQuerySettings settingsFrom(const Options& options, const Scene& scene) 
   return settings;
 }
 
-PlacementResult solveShowingProgress(PlacementQuery& query, double time_limit_s) {
-  const auto start = std::chrono::steady_clock::now();
-  const ProgressLine progress([&query, start, time_limit_s] {
-    std::ostringstream line;
-    line.precision(1);
-    line << std::fixed << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
-         << " of " << time_limit_s << " s";
-    for (const auto& [name, value] : query.planner().getPlannerProgressProperties())
-      line << ", " << name.substr(0, name.rfind(' ')) << ' ' << value();
-    return line.str();
-  });
-  return query.solve();
-}
-
 void report(const PlacementResult& result, const std::string& file) {
   std::cout << result.scene << ", " << result.objective << ": " << result.status << " after "
             << result.planning_time_s << " s, seed " << result.seed << "\n";
@@ -78,14 +61,15 @@ void report(const PlacementResult& result, const std::string& file) {
 int place(const Options& options) {
   const Scene scene = loadPlacementScene(options.scene);
   const PlacementQuerySettings settings = settingsFrom(options, scene);
-  const std::string scene_name = isPath(options.scene)
-                                     ? std::filesystem::absolute(options.scene).lexically_normal().string()
-                                     : options.scene;
+  const std::string scene_name = nameFromAnywhere(options.scene);
   PlacementQuery query(scene, scene_name, settings, kWhere);
   requireWritableFile(options.out);
 
   catchInterrupts();
-  PlacementResult result = solveShowingProgress(query, settings.time_limit_s);
+  PlacementResult result = [&] {
+    const ProgressLine progress = planningProgress(query.planner(), settings.time_limit_s);
+    return query.solve();
+  }();
   verifyImprovements(scene, result);
   writePlacementResult(options.out, result);
   report(result, options.out);

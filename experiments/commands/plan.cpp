@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "experiments/commands/commands.h"
 #include "experiments/commands/key_values.h"
-#include "experiments/commands/progress_line.h"
+#include "experiments/commands/planning_progress.h"
 #include "experiments/commands/whole_number.h"
 #include "experiments/forest_file.h"
 #include "experiments/interrupt.h"
@@ -48,20 +45,6 @@ QuerySettings settingsFrom(const Options& options, const Scene& scene) {
   return settings;
 }
 
-void solveShowingProgress(Query& query, double time_limit_s) {
-  const auto start = std::chrono::steady_clock::now();
-  const ProgressLine progress([&query, start, time_limit_s] {
-    std::ostringstream line;
-    line.precision(1);
-    line << std::fixed << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
-         << " of " << time_limit_s << " s";
-    for (const auto& [name, value] : query.planner()->getPlannerProgressProperties())
-      line << ", " << name.substr(0, name.rfind(' ')) << ' ' << value();
-    return line.str();
-  });
-  query.solve();
-}
-
 void report(const PlanResult& result, const std::string& file) {
   std::cout << result.scene << ": " << result.status << " after " << result.planning_time_s << " s with "
             << result.planner << ", seed " << result.seed << "\n";
@@ -78,16 +61,17 @@ void report(const PlanResult& result, const std::string& file) {
 int plan(const Options& options) {
   const Scene scene = loadScene(options.scene);
   const QuerySettings settings = settingsFrom(options, scene);
-  const std::string scene_name = isPath(options.scene)
-                                     ? std::filesystem::absolute(options.scene).lexically_normal().string()
-                                     : options.scene;
+  const std::string scene_name = nameFromAnywhere(options.scene);
   Query query(scene, scene_name, PlannerCatalogue::standard(), settings, kWhere);
   requireWritableFile(options.out);
   if (!options.forests.empty()) requireWritableFile(options.forests);
   preflight(scene);
 
   catchInterrupts();
-  solveShowingProgress(query, settings.time_limit_s);
+  {
+    const ProgressLine progress = planningProgress(*query.planner(), settings.time_limit_s);
+    query.solve();
+  }
   PlanResult result = query.result();
   if (result.solved) result.verification = verify(scene, result);
   writeResult(options.out, result);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <mutex>
@@ -38,8 +37,7 @@ struct Options {
 
 SpeedStudy studyFrom(const Options& options, const Scene& scene) {
   SpeedStudy study;
-  study.scene = isPath(options.scene) ? std::filesystem::absolute(options.scene).lexically_normal().string()
-                                      : options.scene;
+  study.scene = nameFromAnywhere(options.scene);
   study.planner = options.planner;
   study.parameters = keyValues(options.parameters, kWhere);
   study.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;

@@ -21,8 +21,9 @@ int showSurfaces(const Options& options) {
   const Scene scene = loadPlacementScene(options.scene);
   if (!options.out.empty()) requireWritableFile(options.out);
   const PlacementGeometry geometry(scene);
-  std::cout << scene.name << ": " << geometry.faces().size() << " placement faces of " << scene.placing().object_name
-            << ", " << geometry.surfaces().regions().size() << " contact regions\n";
+  std::cout << scene.name << ": " << geometry.faces().size() << " placement faces of "
+            << scene.placing().object_name << ", " << geometry.surfaces().regions().size()
+            << " contact regions\n";
   for (const ContactRegion& region : geometry.surfaces().regions())
     std::cout << "  z " << numberText(region.height_m) << " m: " << region.cells.size() << " cells, "
               << numberText(region.cells.size() * region.cell_m * region.cell_m) << " m2\n";

@@ -18,6 +18,10 @@ std::string dataFolder() {
   return B4P_INSTALL_DATA_DIR;
 }
 
+std::string nameFromAnywhere(const std::string& name_or_path) {
+  return isPath(name_or_path) ? fs::absolute(name_or_path).lexically_normal().string() : name_or_path;
+}
+
 bool isPath(const std::string& name_or_path) {
   const fs::path path(name_or_path);
   const std::string first = path.empty() ? "" : path.begin()->string();

@@ -13,6 +13,9 @@ std::string dataFolder();
 /// A path has a YAML extension or begins with `/`, `.` or `..`; all else is a name.
 bool isPath(const std::string& name_or_path);
 
+/// The name, or the path made absolute, so that it means the same file from any folder.
+std::string nameFromAnywhere(const std::string& name_or_path);
+
 /// `path`, taken relative to the folder of `file`.
 std::string relativeTo(const std::string& file, const std::string& path);
 
