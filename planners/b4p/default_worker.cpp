@@ -10,69 +10,101 @@ namespace b4p {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
+using Outcome = Schedule::Outcome;
+
+namespace {
+
+/// A turn ends when so many motions of one side in a row were blocked at once.
+constexpr unsigned kPatience = 8;
+
+}  // namespace
+
 void DefaultWorker::advance() {
   if (!turn_) takeTurn();
   if (turn_->forests == nullptr)
     drawRoots();
-  else if (turn_->forests->treeCount(Side::kPick) == 0 || turn_->forests->treeCount(Side::kPlace) == 0)
-    seekPlaceRoot();
   else
     grow(*turn_->forests);
-  if (turn_ && --left_ == 0) endTurn(false);
+  if (turn_ && --left_ == 0) rest();
 }
 
 void DefaultWorker::takeTurn() {
   turn_ = search().schedule().take();
   left_ = turn_->forests == nullptr ? search().parameters().root_attempts : search().parameters().slice;
+  promising_ = false;
+  trapped_ = {};
 }
 
 void DefaultWorker::rest() {
-  if (turn_) endTurn(false);
+  if (!turn_) return;
+  if (turn_->forests != nullptr) return endTurn(Outcome::kGrown);
+  endTurn(promising_ ? Outcome::kFruitful : Outcome::kFruitless);
 }
 
-void DefaultWorker::endTurn(bool fruitful) {
+void DefaultWorker::endTurn(Outcome outcome) {
   share(search().log(),
-        [&schedule = search().schedule(), turn = *turn_, fruitful] { schedule.giveBack(turn, fruitful); });
+        [&schedule = search().schedule(), turn = *turn_, outcome] { schedule.giveBack(turn, outcome); });
   turn_.reset();
 }
 
-// New forests are worth a turn of their own once both their sides have a root.
+// By turns a grasp is drawn, and one that has been picked gets another placement.
 void DefaultWorker::drawRoots() {
   if (search().region() == nullptr) {
-    if (search().plantGoal()) endTurn(true);
+    if (search().plantGoal()) endTurn(Outcome::kFruitful);
     return;
+  }
+  const ForestPair* unplaced = left_ % 2 == 0 ? search().nextUnplaced() : nullptr;
+  if (unplaced != nullptr) {
+    promising_ = true;
+    return seekPlaceRoot(unplaced->grasp());
   }
   const Pick pick = drawPick();
   if (pick.grasp == kNoGrasp) return;
-  const bool placed = placeTreeFor(region().samplePlacement(), pick.grasp) != nullptr;
-  if (pick.is_new && placed) endTurn(true);
+  promising_ = promising_ || pick.is_new;
+  const bool known = search().forestsOf(pick.grasp).complete();
+  if (known)
+    placeTreeFor(region().samplePlacement(), pick.grasp);
+  else
+    seekPlaceRoot(pick.grasp);
 }
 
-void DefaultWorker::seekPlaceRoot() {
-  if (search().region() != nullptr && turn_->forests->treeCount(Side::kPlace) == 0)
-    placeTreeFor(region().samplePlacement(), turn_->forests->grasp());
-  endTurn(false);
+// Forests are worth a turn of their own once both their sides have a root.
+void DefaultWorker::seekPlaceRoot(GraspId grasp) {
+  if (placeTreeFor(region().samplePlacement(), grasp) != nullptr) endTurn(Outcome::kFruitful);
 }
 
 void DefaultWorker::grow(ForestPair& forests) {
   // Each turn begins with the straight way to a root.
   const bool first = left_ == search().parameters().slice;
-  if (first && search().region() != nullptr) retreatFromRoots(forests);
+  if (first && search().region() != nullptr && !leavesRoots(forests) && turn_->age == 0)
+    return endTurn(Outcome::kPutOff);
   const ob::State* target = first ? anyRoot(forests, opposite(next_side_)) : motion().sample();
   const Growth growth = growAndConnect(forests, next_side_, target, motion());
   next_side_ = opposite(next_side_);
   search().statistics().nodes += growth.nodes;
+  unsigned& trapped = trapped_[index(opposite(next_side_))];
+  trapped = growth.grown == nullptr ? trapped + 1 : 0;
+  if (trapped == kPatience) left_ = 1;
   if (growth.grown == nullptr) return;
   countOne(search().statistics().connections_tried);
   if (growth.junction && search().rootsMatch(*growth.junction)) return search().publish(*growth.junction);
   if (search().region() != nullptr && search().parameters().relaxed) joinAcrossGrasps(growth.grown);
 }
 
-void DefaultWorker::retreatFromRoots(const ForestPair& forests) {
-  for (const Side side : {Side::kPick, Side::kPlace})
-    for (Tree* tree : forests.trees(side))
-      search().statistics().nodes +=
-          retreat(*tree, search().parameters().retreat_steps, region(), motion(), root());
+// The place side first: there roots are more often boxed in, and then the other need not be tried.
+bool DefaultWorker::leavesRoots(const ForestPair& forests) {
+  return leavesRoots(forests, Side::kPlace) && leavesRoots(forests, Side::kPick);
+}
+
+// Whether some root has a straight way out of at least half the length that is tried.
+bool DefaultWorker::leavesRoots(const ForestPair& forests, Side side) {
+  const unsigned steps = search().parameters().retreat_steps;
+  bool leaves = region().retreatDirections() == 0;
+  for (Tree* tree : forests.trees(side)) {
+    search().statistics().nodes += retreat(*tree, steps, region(), motion(), root());
+    leaves = leaves || tree->way_out >= steps / 2;
+  }
+  return leaves;
 }
 
 const ob::State* DefaultWorker::anyRoot(const ForestPair& forests, Side side) {

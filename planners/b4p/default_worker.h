@@ -10,7 +10,8 @@ namespace b4p {
 
 /// The worker of the default search. Each grasp has forests of its own, which grow by RRT-Connect and are
 /// served in turn (Schedule); roots are drawn without limit, and trees leave them by straight ways
-/// (retreat()). Every new node is also offered to the nearest tree of any other grasp: if Eq. 3 has a root
+/// (retreat()). Forests whose roots have no long way out are put off, and a turn in which a side cannot move
+/// ends early. Every new node is also offered to the nearest tree of any other grasp: if Eq. 3 has a root
 /// for it, the two are joined and the path repaired. What a failed repair found out is kept: the free ends of
 /// its path join the trees.
 class DefaultWorker : public Worker {
@@ -25,19 +26,22 @@ class DefaultWorker : public Worker {
 
  private:
   void takeTurn();
-  void endTurn(bool fruitful);
+  void endTurn(Schedule::Outcome outcome);
   void drawRoots();
-  void seekPlaceRoot();
+  void seekPlaceRoot(GraspId grasp);
   void grow(ForestPair& forests);
-  void retreatFromRoots(const ForestPair& forests);
+  bool leavesRoots(const ForestPair& forests);
+  bool leavesRoots(const ForestPair& forests, Side side);
   const ompl::base::State* anyRoot(const ForestPair& forests, Side side);
   void joinAcrossGrasps(const Node* grown);
   const Tree* placeTreeFor(PlacementId placement, GraspId grasp);
   void transplant(Side side, const ompl::geometric::PathGeometric& path);
 
   std::optional<Schedule::Turn> turn_;
-  unsigned left_ = 0;  ///< steps of this turn
+  unsigned left_ = 0;       ///< steps of this turn
+  bool promising_ = false;  ///< this drawing found a pick, or knows one without a placement
   Side next_side_ = Side::kPick;
+  std::array<unsigned, 2> trapped_{};  ///< how often in a row each side could not move in this turn
 };
 
 }  // namespace b4p

@@ -40,6 +40,7 @@ struct Tree {
   ForestPair* home;
   std::atomic<std::size_t> size{1};
   std::atomic<bool> has_retreated{false};  ///< its root's straight ways out have been tried
+  std::atomic<unsigned> way_out{0};        ///< nodes on the longest of them
 };
 
 using StateDistance = std::function<double(const ompl::base::State*, const ompl::base::State*)>;
@@ -93,6 +94,8 @@ class ForestPair {
   }
 
   std::size_t treeCount(Side side) const;
+  /// Both sides have a root.
+  bool complete() const { return treeCount(Side::kPick) > 0 && treeCount(Side::kPlace) > 0; }
   std::vector<Tree*> trees(Side side) const;  ///< a snapshot
   std::size_t nodeCount() const;
   void forEachNode(const std::function<void(const Node&)>& visit) const;

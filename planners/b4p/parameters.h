@@ -22,7 +22,7 @@ struct B4PParameters {
 
   double range = 0.0;  ///< longest motion added at once; 0: as far as it stays free
 
-  unsigned slice = 100;  ///< default: iterations a grasp's forests grow before another grasp's turn, >= 1
+  unsigned slice = 30;  ///< default: iterations a grasp's forests grow before another grasp's turn, >= 1
   unsigned retreat_steps =
       8;  ///< default: nodes in a row on each straight way out of a root; 0: no such ways
   unsigned root_attempts = 32;  ///< default: placements asked for (Eq. 3), or goal states of a problem

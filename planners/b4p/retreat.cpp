@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/b4p/retreat.h"
 
+#include <algorithm>
+
 #include "planners/manipulation_state_space.h"
 
 namespace b4p {
@@ -18,6 +20,7 @@ std::size_t retreat(Tree& tree, unsigned steps, PickPlaceContext& region, Motion
                     ob::State* scratch) {
   if (steps == 0 || tree.has_retreated.exchange(true)) return 0;
   std::size_t added = 0;
+  unsigned longest = 0;
   for (int direction = 0; direction < region.retreatDirections(); ++direction) {
     const Node* node = tree.root;
     for (unsigned step = 0; step < steps; ++step) {
@@ -26,8 +29,10 @@ std::size_t retreat(Tree& tree, unsigned steps, PickPlaceContext& region, Motion
       if (motion.extend(node->state, scratch, tree.grasp, tree.side) != Motion::Reach::kReached) break;
       node = tree.home->grow(node, motion.end());
       ++added;
+      longest = std::max(longest, step + 1);
     }
   }
+  tree.way_out = longest;
   return added;
 }
 

@@ -42,14 +42,16 @@ Schedule::Turn Schedule::take() {
   return turn;
 }
 
-void Schedule::giveBack(const Turn& turn, bool fruitful) {
+void Schedule::giveBack(const Turn& turn, Outcome outcome) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (turn.forests == nullptr) {
     constexpr std::uint64_t kLongestPause = 64;  // in turns of each pair
-    pause_ = fruitful ? 1 : std::min(2 * pause_ + 1, kLongestPause * (all_.size() + 1));
+    pause_ = outcome == Outcome::kFruitful ? 1 : std::min(2 * pause_ + 1, kLongestPause * (all_.size() + 1));
   } else if (!turn.shared) {
     Turn next = turn;
+    constexpr std::uint64_t kLater = 8;
     next.age = turn.age == 0 ? 1 : std::min(2 * turn.age, Turn::kOldest);
+    if (outcome == Outcome::kPutOff) next.age = std::max(next.age, kLater);
     push(next);
   }
 }

@@ -11,9 +11,10 @@
 namespace b4p {
 
 /// Which forests grow next, so that new ones come in without limit and none is ever dropped. The age of a
-/// pair of forests is the number of pairs that have come in after it; it is served at ages 0, 1, 2, 4, 8, ...
-/// When none is due, roots are drawn; drawing that brings nothing new becomes rarer but never stops, and
-/// meanwhile those that are due soonest have their turn early. Any thread may ask.
+/// pair of forests is the number of pairs that have come in after it; it is served at ages 0, 1, 2, 4, 8,
+/// ..., or from age 8 on when its first turn shows little promise. When none is due, roots are drawn; drawing
+/// that brings nothing new becomes rarer but never stops, and meanwhile those that are due soonest have their
+/// turn early. Any thread may ask.
 class Schedule {
  public:
   /// A worker's turn: forests to grow, or roots to draw when `forests` is nullptr.
@@ -34,8 +35,15 @@ class Schedule {
   /// The next turn. Forests are lent to one worker at a time as long as there is something else to do.
   Turn take();
 
-  /// Ends a turn. For drawing: `fruitful` says whether anything new came of it.
-  void giveBack(const Turn& turn, bool fruitful);
+  /// What a turn says about those to come.
+  enum class Outcome {
+    kFruitless,  ///< of drawing: nothing new came of it
+    kFruitful,   ///< of drawing: something new did
+    kGrown,      ///< forests have grown
+    kPutOff      ///< forests have not grown: others are more promising
+  };
+
+  void giveBack(const Turn& turn, Outcome outcome);
 
  private:
   struct Later {

@@ -17,7 +17,7 @@ ForestPair& Search::forestsOf(GraspId grasp) {
     const bool several = region() != nullptr && !parameters_.paper;
     forests =
         std::make_unique<ForestPair>(si(), grasps().distance(), key, several ? &everywhere_ : nullptr, log());
-    share(log(), [this, added = forests.get()] { schedule_.add(added); });
+    incomplete_.push_back(forests.get());
   }
   return *forests;
 }
@@ -34,16 +34,39 @@ bool Search::pickIsPlanted(const ob::State* root, GraspId grasp) {
 Tree* Search::plant(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
   if (!allFinite(*si()->getStateSpace(), root)) return nullptr;
   const bool known = side == Side::kPick && pickIsPlanted(root, grasp);
-  Tree* tree = known ? nullptr : forestsOf(grasp).plant(side, root, grasp, placement);
+  ForestPair& forests = forestsOf(grasp);
+  Tree* tree = known ? nullptr : forests.plant(side, root, grasp, placement);
   // After planting: who has seen the count sees the tree.
-  share(log(), [this, side, planted = tree != nullptr] {
+  share(log(), [this, side, &forests, planted = tree != nullptr] {
     ++offered_[index(side)];
-    if (planted) countRoot(side);
+    if (!planted) return;
+    countRoot(side);
+    scheduleIfComplete(forests);
   });
   if (tree == nullptr) return nullptr;
   countOne(statistics().roots);
   countOne(statistics().nodes);
   return tree;
+}
+
+void Search::scheduleIfComplete(ForestPair& forests) {
+  if (!forests.complete()) return;
+  const std::lock_guard<std::mutex> lock(forests_mutex_);
+  const auto found = std::find(incomplete_.begin(), incomplete_.end(), &forests);
+  if (found == incomplete_.end()) return;
+  incomplete_.erase(found);
+  schedule_.add(&forests);
+}
+
+ForestPair* Search::nextUnplaced() {
+  const std::lock_guard<std::mutex> lock(forests_mutex_);
+  for (std::size_t i = 0; i < incomplete_.size(); ++i) {
+    ForestPair* forests = incomplete_.front();
+    incomplete_.pop_front();
+    incomplete_.push_back(forests);
+    if (forests->treeCount(Side::kPick) > 0) return forests;
+  }
+  return nullptr;
 }
 
 void Search::submit(std::shared_ptr<PathRepair> repair) {

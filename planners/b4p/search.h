@@ -46,6 +46,9 @@ class Search : public ParallelSearch {
   /// mode.
   ForestPair& forestsOf(GraspId grasp);
 
+  /// Forests that have a pick root and no place root yet, each in turn; nullptr when there are none.
+  ForestPair* nextUnplaced();
+
   /// The single pair of paper mode.
   ForestPair& commonForests() { return forestsOf(kNoGrasp); }
 
@@ -73,6 +76,7 @@ class Search : public ParallelSearch {
 
  private:
   bool pickIsPlanted(const ompl::base::State* root, GraspId grasp);
+  void scheduleIfComplete(ForestPair& forests);
 
   const B4PParameters parameters_;
   const std::uint64_t iterations_before_;  ///< those of searches that were restarted
@@ -83,6 +87,7 @@ class Search : public ParallelSearch {
 
   mutable std::mutex forests_mutex_;
   std::map<GraspId, std::unique_ptr<ForestPair>> forests_;
+  std::deque<ForestPair*> incomplete_;  ///< a side has no root yet
 
   std::mutex repairs_mutex_;
   std::deque<std::shared_ptr<PathRepair>> repairs_;

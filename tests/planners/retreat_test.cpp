@@ -66,6 +66,7 @@ class RetreatTest : public ::testing::TestWithParam<Side> {
 TEST_P(RetreatTest, GoesAllWaysInTheOpen) {
   Tree& tree = treeAt(2.0, 5.0);
   EXPECT_EQ(retreat(tree, 3, ways, *motion, scratch), 12u);
+  EXPECT_EQ(tree.way_out, 3u);
   EXPECT_EQ(forests->nodeCount(), 13u);
 }
 
@@ -77,6 +78,12 @@ TEST_P(RetreatTest, EndsBeforeTheFirstMotionThatIsNotFree) {
     EXPECT_LT(node.state->as<State>()->q[0], 4.6);
     EXPECT_TRUE(node.parent == nullptr || motion->isFree(node.parent->state, node.state, 0));
   });
+}
+
+TEST_P(RetreatTest, SaysThatARootIsBoxedIn) {
+  Tree& tree = treeAt(5.0, 5.0);  // inside the wall, where every motion is blocked
+  EXPECT_EQ(retreat(tree, 6, ways, *motion, scratch), 0u);
+  EXPECT_EQ(tree.way_out, 0u);
 }
 
 TEST_P(RetreatTest, HappensOnceAndNotAtAllWithoutSteps) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Promises: no forest starves, however many join; each is served at ages 0, 1, 2, 4, ...; the drawing of
-// roots goes on for ever but becomes rarer when nothing comes of it; two workers do not hold the same forests
-// while others wait.
+// Promises: no forest starves, however many join; each is served at ages 0, 1, 2, 4, ..., or from 8 on when
+// it was put off; the drawing of roots goes on for ever but becomes rarer when nothing comes of it; two
+// workers do not hold the same forests while others wait.
 #include <map>
 #include <memory>
 #include <set>
@@ -15,6 +15,8 @@
 
 namespace b4p {
 namespace {
+
+using Outcome = Schedule::Outcome;
 
 class Served : public ::testing::Test {
  protected:
@@ -39,7 +41,7 @@ TEST_F(Served, EveryForestAgainAndAgainWhileNewOnesKeepComing) {
       schedule.add(newForests());
     else
       ++turns[turn.forests];
-    schedule.giveBack(turn, true);
+    schedule.giveBack(turn, Outcome::kFruitful);
   }
   ASSERT_GT(forests.size(), 50u);
   // All but those that came last have had several turns, the oldest the most.
@@ -54,7 +56,7 @@ TEST_F(Served, FewForestsEquallyOftenForEver) {
   for (int i = 0; i < kTurns; ++i) {
     const Schedule::Turn turn = schedule.take();
     ++turns[turn.forests];
-    schedule.giveBack(turn, false);
+    schedule.giveBack(turn, Outcome::kFruitless);
   }
   for (const auto& pair : forests) EXPECT_NEAR(turns[pair.get()], kTurns / 5, kTurns / 50);
 }
@@ -66,7 +68,7 @@ TEST_F(Served, FruitlessDrawingBecomesRarerButNeverStops) {
   for (int i = 0; i < kTurns; ++i) {
     const Schedule::Turn turn = schedule.take();
     if (turn.forests == nullptr && i > kTurns / 2) ++late_draws;
-    schedule.giveBack(turn, false);
+    schedule.giveBack(turn, Outcome::kFruitless);
   }
   EXPECT_GT(late_draws, 0);
   EXPECT_LT(late_draws, kTurns / 20);
@@ -80,16 +82,33 @@ TEST_F(Served, ForestsAreLentOnceWhileOthersWait) {
   EXPECT_EQ(lent.count(nullptr), 0u);
 }
 
+TEST_F(Served, ForestsThatWerePutOffWaitForEightOthers) {
+  ForestPair* boxed_in = newForests();
+  schedule.add(boxed_in);
+  schedule.giveBack(schedule.take(), Outcome::kPutOff);
+  for (int others = 1; others <= 8; ++others) {
+    ForestPair* next = newForests();
+    schedule.add(next);
+    bool served = false;
+    for (Schedule::Turn turn = schedule.take(); turn.forests != nullptr; turn = schedule.take()) {
+      served = served || turn.forests == boxed_in;
+      schedule.giveBack(turn, Outcome::kGrown);
+    }
+    EXPECT_EQ(served, others == 8) << others;
+    schedule.giveBack({}, Outcome::kFruitful);
+  }
+}
+
 TEST_F(Served, IdleWorkersShareWhatIsLent) {
   schedule.add(newForests());
   schedule.take();  // the forests
   const Schedule::Turn drawing = schedule.take();
   EXPECT_EQ(drawing.forests, nullptr);
-  schedule.giveBack(drawing, false);
+  schedule.giveBack(drawing, Outcome::kFruitless);
   const Schedule::Turn turn = schedule.take();
   EXPECT_TRUE(turn.shared);
   EXPECT_EQ(turn.forests, forests.front().get());
-  schedule.giveBack(turn, false);
+  schedule.giveBack(turn, Outcome::kFruitless);
   EXPECT_EQ(schedule.take().forests, nullptr);  // what was shared has not become a turn of its own
 }
 
