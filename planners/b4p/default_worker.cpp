@@ -2,6 +2,7 @@
 #include "planners/b4p/default_worker.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "planners/b4p/retreat.h"
 
@@ -13,6 +14,10 @@ namespace og = ompl::geometric;
 using Outcome = Schedule::Outcome;
 
 namespace {
+
+/// Forests of this age have had many turns and will have few: these are so many slices long.
+constexpr std::uint64_t kOld = 64;
+constexpr unsigned kOldSlices = 4;
 
 /// A turn ends when so many motions of one side in a row were blocked at once.
 constexpr unsigned kPatience = 8;
@@ -30,7 +35,10 @@ void DefaultWorker::advance() {
 
 void DefaultWorker::takeTurn() {
   turn_ = search().schedule().take();
-  left_ = turn_->forests == nullptr ? search().parameters().root_attempts : search().parameters().slice;
+  const B4PParameters& parameters = search().parameters();
+  left_ = turn_->forests == nullptr ? parameters.root_attempts
+                                    : parameters.slice * (turn_->age < kOld ? 1 : kOldSlices);
+  begun_ = false;
   promising_ = false;
   trapped_ = {};
 }
@@ -61,11 +69,16 @@ void DefaultWorker::drawRoots() {
   const Pick pick = drawPick();
   if (pick.grasp == kNoGrasp) return;
   promising_ = promising_ || pick.is_new;
-  const bool known = search().forestsOf(pick.grasp).complete();
-  if (known)
-    placeTreeFor(region().samplePlacement(), pick.grasp);
-  else
+  const ForestPair& forests = search().forestsOf(pick.grasp);
+  if (!forests.complete())
     seekPlaceRoot(pick.grasp);
+  else
+    placeTreeFor(region().samplePlacement(), pick.grasp);
+}
+
+// Forests have as many place roots as their nodes have doubled.
+bool DefaultWorker::deservesRoot(const ForestPair& forests) const {
+  return std::size_t{1} << std::min<std::size_t>(forests.treeCount(Side::kPlace), 63) <= forests.nodeCount();
 }
 
 // Forests are worth a turn of their own once both their sides have a root.
@@ -75,7 +88,7 @@ void DefaultWorker::seekPlaceRoot(GraspId grasp) {
 
 void DefaultWorker::grow(ForestPair& forests) {
   // Each turn begins with the straight way to a root.
-  const bool first = left_ == search().parameters().slice;
+  const bool first = !std::exchange(begun_, true);
   if (first && search().region() != nullptr && !leavesRoots(forests) && turn_->age == 0)
     return endTurn(Outcome::kPutOff);
   const ob::State* target = first ? anyRoot(forests, opposite(next_side_)) : motion().sample();
@@ -84,7 +97,7 @@ void DefaultWorker::grow(ForestPair& forests) {
   search().statistics().nodes += growth.nodes;
   unsigned& trapped = trapped_[index(opposite(next_side_))];
   trapped = growth.grown == nullptr ? trapped + 1 : 0;
-  if (trapped == kPatience) left_ = 1;
+  if (trapped == kPatience && search().region() != nullptr) left_ = 1;
   if (growth.grown == nullptr) return;
   countOne(search().statistics().connections_tried);
   if (growth.junction && search().rootsMatch(*growth.junction)) return search().publish(*growth.junction);
@@ -125,9 +138,11 @@ void DefaultWorker::joinAcrossGrasps(const Node* grown) {
   if (motion().isFree(junction.pick->state, junction.place->state, grasp)) repair(junction, end->root->state);
 }
 
-// Eq. 3 is asked once per placement and grasp; its roots stay as trees.
+// Eq. 3 is asked once per placement and grasp; its roots stay as trees. nullptr also when the grasp has place
+// roots enough for now.
 const Tree* DefaultWorker::placeTreeFor(PlacementId placement, GraspId grasp) {
   if (const auto known = search().memory().placeTree(placement, grasp)) return *known;
+  if (!deservesRoot(search().forestsOf(grasp))) return nullptr;
   const Tree* tree = nullptr;
   if (derivePlaceRoot(placement, grasp)) tree = search().plant(Side::kPlace, root(), grasp, placement);
   share(search().log(), [&memory = search().memory(), placement, grasp, tree] {

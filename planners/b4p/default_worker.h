@@ -29,6 +29,7 @@ class DefaultWorker : public Worker {
   void endTurn(Schedule::Outcome outcome);
   void drawRoots();
   void seekPlaceRoot(GraspId grasp);
+  bool deservesRoot(const ForestPair& forests) const;
   void grow(ForestPair& forests);
   bool leavesRoots(const ForestPair& forests);
   bool leavesRoots(const ForestPair& forests, Side side);
@@ -39,6 +40,7 @@ class DefaultWorker : public Worker {
 
   std::optional<Schedule::Turn> turn_;
   unsigned left_ = 0;       ///< steps of this turn
+  bool begun_ = false;      ///< its forests have grown
   bool promising_ = false;  ///< this drawing found a pick, or knows one without a placement
   Side next_side_ = Side::kPick;
   std::array<unsigned, 2> trapped_{};  ///< how often in a row each side could not move in this turn

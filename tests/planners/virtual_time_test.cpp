@@ -131,7 +131,8 @@ TEST_F(Steps, SeeRepairsAndTurnsFromTheTimeOnAtWhichTheyWereFinished) {
           Motion motion(setup.si, 0.0);
           search.submit(std::make_shared<PathRepair>(setup.si, path(1.0), Junction{pick->root, place->root},
                                                      0, 5, motion, &log));
-          search.forestsOf(1);
+          search.plant(Side::kPick, state(2, 2), 1);
+          search.plant(Side::kPlace, state(8, 8), 1, 7);
         } else {
           cost = 5.0;
           repair_seen.push_back(search.repair() != nullptr && search.repairCount() == 1);
