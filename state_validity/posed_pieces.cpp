@@ -78,14 +78,12 @@ void PosedPieces::hold(const Grasp* grasp) {
   }
   if (holds() && same(*grasp, held_->grasp)) return;
   const std::size_t slot = slotOf(*grasp);
-  const HeldObject* known = known_[slot].get();
+  HeldObject* known = known_[slot].get();
   held_ = known && same(*grasp, known->grasp) ? known : &remember(*grasp, slot);
 }
 
 HeldObject& PosedPieces::remember(const Grasp& grasp, std::size_t slot) {
-  const Manipulator& robot = world_->robot();
-  const CollisionPieces& pieces = world_->pieces();
-  requireUsable(grasp, robot.description().max_opening_m);
+  requireUsable(grasp, world_->robot().description().max_opening_m);
   held_ = &empty_;  // what the slot held may be the one in use
   known_[slot] = std::make_unique<HeldObject>();
   HeldObject& held = *known_[slot];
@@ -93,13 +91,19 @@ HeldObject& PosedPieces::remember(const Grasp& grasp, std::size_t slot) {
   held.grasp = grasp;
   held.X_TO = grasp.X_OT.inverse();
   held.serial = ++last_serial_;
-  held.travel = Eigen::MatrixXd::Zero(robot.dof(), pieces.stillBegin());
-  held.travel.leftCols(pieces.objectBegin()) = world_->linkTravel();
-  for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i)
-    held.travel.col(i) = travelPerUnit(robot, robot.tcpLink(), {pieces[i].grown, held.X_TO * pieces[i].X_BS});
   held_ = &held;
   held.rigid_collision = findRigidCollision();
   return held;
+}
+
+void PosedPieces::boundTravel() {
+  const Manipulator& robot = world_->robot();
+  const CollisionPieces& pieces = world_->pieces();
+  held_->travel = Eigen::MatrixXd::Zero(robot.dof(), pieces.stillBegin());
+  held_->travel.leftCols(pieces.objectBegin()) = world_->linkTravel();
+  for (int i = pieces.objectBegin(); i < pieces.stillBegin(); ++i)
+    held_->travel.col(i) =
+        travelPerUnit(robot, robot.tcpLink(), {pieces[i].grown, held_->X_TO * pieces[i].X_BS});
 }
 
 const PiecePair* PosedPieces::findRigidCollision() {
@@ -124,7 +128,7 @@ void PosedPieces::place(const double* q) {
   for (int i = 0; i < movingCount(); ++i) bound(i);
 }
 
-double PosedPieces::sweptBound(const double* q1, const double* q2) const {
+double PosedPieces::sweptBound(const double* q1, const double* q2) {
   const Eigen::Index dof = travel().rows();
   const double* travel_m = travel().data();
   double farthest = 0.0;

@@ -18,7 +18,8 @@ struct HeldObject {
   Grasp grasp;  ///< where held
   Eigen::Isometry3d X_TO = Eigen::Isometry3d::Identity();
   /// Bounds (m) of how far points of each moving piece travel per unit of each planned joint: column i
-  /// is travelPerUnit of piece i, the carried object's included where held.
+  /// is travelPerUnit of piece i, the carried object's included where held. Empty until PosedPieces::travel()
+  /// is asked, since single states do not need it.
   Eigen::MatrixXd travel;
   const PiecePair* rigid_collision = nullptr;  ///< a pair that collides at all configurations
   std::uint64_t serial = 0;                    ///< unlike those of all others of the same PosedPieces
@@ -70,10 +71,13 @@ class PosedPieces {
   static constexpr double kClearlyApart_m = 1e-5;
 
   /// HeldObject::travel of what is held.
-  const Eigen::MatrixXd& travel() const { return held_->travel; }
+  const Eigen::MatrixXd& travel() {
+    if (held_->travel.size() == 0) boundTravel();
+    return held_->travel;
+  }
 
   /// Bound (m) of how far any point of a moving piece travels from q1 to q2.
-  double sweptBound(const double* q1, const double* q2) const;
+  double sweptBound(const double* q1, const double* q2);
 
   /// Number of pieces that move now.
   int movingCount() const { return holds() ? world_->pieces().stillBegin() : world_->pieces().objectBegin(); }
@@ -82,6 +86,7 @@ class PosedPieces {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   void bound(int i);
+  void boundTravel();
   HeldObject& remember(const Grasp& grasp, std::size_t slot);
   const PiecePair* findRigidCollision();
   bool overlap(const PiecePair& pair, FclShape Piece::*shape);
@@ -89,7 +94,7 @@ class PosedPieces {
   std::shared_ptr<const FclWorld> world_;
   HeldObject empty_;
   std::vector<std::unique_ptr<HeldObject>> known_;  ///< by slotOf()
-  const HeldObject* held_ = nullptr;
+  HeldObject* held_ = nullptr;
   std::uint64_t last_serial_ = 0;
   std::vector<Eigen::Isometry3d> X_WL_;
   std::vector<Eigen::Isometry3d> X_WS_;

@@ -78,7 +78,7 @@ void SampledContext::requireFinite(const double* q) const {
       throw std::invalid_argument("joint value " + std::to_string(i) + " is not finite");
 }
 
-EdgeSamples SampledContext::samplesOf(const double* q1, const double* q2) const {
+EdgeSamples SampledContext::samplesOf(const double* q1, const double* q2) {
   return {q1, q2, robot().dof(), pieces_.sweptBound(q1, q2), pieces_.world().problem().edge_step_m};
 }
 

@@ -50,7 +50,7 @@ class SampledContext : public CollisionContext {
   PosedPieces& pieces() { return pieces_; }
 
  private:
-  EdgeSamples samplesOf(const double* q1, const double* q2) const;
+  EdgeSamples samplesOf(const double* q1, const double* q2);
   bool isLegalEdgeFree(const double* q1, const double* q2);
   std::int64_t lastWithinLimits(const EdgeSamples& samples);
 

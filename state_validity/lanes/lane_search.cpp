@@ -35,22 +35,26 @@ const LaneSearch::Hands& LaneSearch::hands() {
   slot = std::make_unique<Hands>();
   slot->serial = held.serial;
   slot->robot = model_->robot(pieces_.world(), pieces_.opening_m(), held.held ? &held.X_TO : nullptr);
-  const int moving = static_cast<int>(slot->robot.moving.size());
+  scratch_.makeRoom(model_->lanes(), slot->robot);
+  return *slot;
+}
+
+void LaneSearch::boundPairTravel(Hands& in_hand) {
+  const Eigen::MatrixXd& travel = pieces_.travel();
+  const int moving = static_cast<int>(in_hand.robot.moving.size());
   const std::vector<PiecePair>& pairs = pieces_.pairs();
-  const std::size_t count = slot->robot.pairs.size();
-  slot->pair_travel_m.assign(static_cast<std::size_t>(dof_) * count, 0.0f);
+  const std::size_t count = in_hand.robot.pairs.size();
+  in_hand.pair_travel_m.assign(static_cast<std::size_t>(dof_) * count, 0.0f);
   std::size_t index = 0;
   for (const PiecePair& pair : pairs) {
     if (pair.b >= model_->lanes().obstacle_begin) continue;
     for (const int joint : pair.joints) {
-      const double travel = held.travel(joint, pair.a) + (pair.b < moving ? held.travel(joint, pair.b) : 0.0);
-      slot->pair_travel_m[static_cast<std::size_t>(joint) * count + index] =
-          static_cast<float>(travel * kUpwards);
+      const double closer = travel(joint, pair.a) + (pair.b < moving ? travel(joint, pair.b) : 0.0);
+      in_hand.pair_travel_m[static_cast<std::size_t>(joint) * count + index] =
+          static_cast<float>(closer * kUpwards);
     }
     ++index;
   }
-  scratch_.makeRoom(model_->lanes(), slot->robot);
-  return *slot;
 }
 
 bool LaneSearch::stateFree(const double* q) {
@@ -113,7 +117,7 @@ std::int64_t LaneSearch::firstBlocked(const EdgeSamples& samples, std::int64_t l
   const Hands& in_hand = hands();
   start(samples, in_hand.robot);
   Parts all;
-  split(0, last, kLanes, all);
+  splitFinerAtFront(last, all);
   parts_.push_back(all);
   std::int64_t blocked = last + 1;
   // Taken from the back: what is nearer to q1 before the other.
@@ -139,7 +143,8 @@ void LaneSearch::start(const EdgeSamples& samples, const LaneRobot& robot) {
   near_.clear();
   query_.body_motion_m = query_.pair_motion_m = nullptr;
   if (samples.last() < kLanes) return;
-  const Hands& in_hand = *known_[pieces_.held().serial % kSlots];
+  Hands& in_hand = *known_[pieces_.held().serial % kSlots];
+  if (in_hand.pair_travel_m.empty()) boundPairTravel(in_hand);
   const Eigen::MatrixXd& travel = pieces_.travel();
   const std::size_t moving = robot.moving.size(), pairs = robot.pairs.size();
   const double per_sample = kUpwards / static_cast<double>(samples.last());
@@ -263,6 +268,21 @@ void LaneSearch::split(std::int64_t first, std::int64_t last, int count, Parts& 
     part.first = first + length * i / into.used;
     part.last = first + length * (i + 1) / into.used - 1;
     part.k = part.first + (part.last - part.first) / 2;
+  }
+}
+
+// Motions of search trees are mostly blocked near their start: part by part grows by the same factor.
+void LaneSearch::splitFinerAtFront(std::int64_t last, Parts& into) {
+  const std::int64_t length = last + 1;
+  const double factor = std::pow(static_cast<double>(length), 1.0 / kLanes);
+  double end = 1.0;
+  into.used = 0;
+  for (std::int64_t first = 0; first < length;) {
+    end *= factor;
+    const bool rest = into.used == kLanes - 1;
+    const std::int64_t next = rest ? length : std::clamp(static_cast<std::int64_t>(end), first + 1, length);
+    into.part[into.used++] = {first + (next - 1 - first) / 2, first, next - 1};
+    first = next;
   }
 }
 

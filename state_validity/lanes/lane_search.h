@@ -60,16 +60,18 @@ class LaneSearch {
   struct Hands {
     std::uint64_t serial = 0;
     LaneRobot robot;
-    std::vector<float>
-        pair_travel_m;  ///< [joint][pair]: how much closer the pair comes per unit of the joint
+    std::vector<float> pair_travel_m;  ///< [joint][pair]: how much closer the pair comes per unit of the
+                                       ///< joint; empty until edges ask
   };
 
   const Hands& hands();
+  void boundPairTravel(Hands& in_hand);
   void start(const EdgeSamples& samples, const LaneRobot& robot);
   void run(const EdgeSamples& samples, const LaneRobot& robot, const Parts& parts, bool all_pairs, bool any);
   bool judge(const EdgeSamples& samples, const Parts& parts, std::uint32_t lane_bits, int& blocked_lane);
   void addFiner(const Parts& parts, std::int64_t end, bool nearest_last);
   static void split(std::int64_t first, std::int64_t last, int count, Parts& into);
+  static void splitFinerAtFront(std::int64_t last, Parts& into);
 
   std::shared_ptr<const LaneModel> model_;
   PosedPieces& pieces_;
