@@ -102,6 +102,24 @@ void checkMimics(const RobotModel& model, const std::vector<int>& sources, const
   }
 }
 
+/// Rest values by joint: those described, else the value inside the limits that is nearest to zero.
+std::vector<double> restValues(const RobotModel& model, const std::map<std::string, double>& described,
+                               const std::vector<int>& sources, const NameResolver& names) {
+  std::vector<double> values;
+  for (const Joint& joint : model.joints) values.push_back(std::clamp(0.0, joint.lower, joint.upper));
+  for (const auto& [name, value] : described) {
+    const int index = names.movingJoints("rest", {name}).front();
+    const Joint& joint = at(model.joints, index);
+    if (at(sources, index) != kConstant)
+      names.fail("rest", "joint '" + name + "' is planned or a finger, and does not rest");
+    if (!(value >= joint.lower && value <= joint.upper))
+      names.fail("rest", "joint '" + name + "' at " + numberText(value) + " is outside its limits, " +
+                             numberText(joint.lower) + " to " + numberText(joint.upper));
+    values[static_cast<std::size_t>(index)] = value;
+  }
+  return values;
+}
+
 /// Half the widest opening has to be within each finger's travel, and so has none.
 void checkOpening(const RobotModel& model, const std::vector<int>& fingers, double max_opening_m,
                   const NameResolver& names) {
@@ -151,7 +169,7 @@ Manipulator::Manipulator(RobotModel model, ManipulatorDescription description, c
                  "joint '" + at(model_.joints, finger).name + "' is also one of the planned joints");
     value_source = kFinger;
   }
-  for (const Joint& joint : model_.joints) rest_.push_back(std::clamp(0.0, joint.lower, joint.upper));
+  rest_ = restValues(model_, description_.rest, joint_source_, names);
 
   checkPlannedJoints(model_, joint_source_, tcp_link_, names);
   checkMimics(model_, joint_source_, names);

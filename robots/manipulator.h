@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,17 +21,20 @@ struct ManipulatorDescription {
   double max_opening_m = 0.0;              ///< largest distance between the finger pads
   /// Pairs of links whose contact is not a collision. Links joined by one joint are always skipped.
   std::vector<std::pair<std::string, std::string>> skip_self_collision;
+  /// Values (rad or m) of joints that are neither planned nor fingers: the arm that rests while another
+  /// moves. Those not named stay at the value in their limits nearest to zero.
+  std::map<std::string, double> rest;
 };
 
 /// A robot made ready for planning: names resolved, base placed in the world. Immutable, shared
-/// by all threads. Joints that are neither planned nor fingers stay at the value in their limits nearest to
-/// zero.
+/// by all threads. Joints that are neither planned nor fingers stay at their rest values.
 class Manipulator {
  public:
   /// @param X_WB    pose of the root link in the world
   /// @param source  named in errors
   /// @throws InputError for names that do not exist, a planned joint that is fixed or not between
-  ///   root and TCP, a moving joint between root and TCP that is not planned, a duplicate.
+  ///   root and TCP, a moving joint between root and TCP that is not planned, a duplicate, a rest value of a
+  ///   joint that is fixed, planned or a finger, or outside its limits.
   Manipulator(RobotModel model, ManipulatorDescription description, const Eigen::Isometry3d& X_WB,
               const std::string& source);
 
@@ -40,6 +44,8 @@ class Manipulator {
 
   int dof() const { return static_cast<int>(planned_.size()); }
   const std::vector<int>& plannedJoints() const { return planned_; }  ///< indices into model().joints
+  /// Value (rad or m) of a joint (index into model().joints) while it is neither planned nor a finger.
+  double restValue(int joint) const { return rest_[static_cast<std::size_t>(joint)]; }
   int tcpLink() const { return tcp_link_; }
   const std::vector<int>& fingerLinks() const { return finger_links_; }
   const Eigen::VectorXd& lower() const { return lower_; }  ///< rad or m, size dof()

@@ -13,6 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "experiments" / "scenes" / "placement"
+YUMI_REACH = 0.127  # from the gripper base to the TCP (robots/urdf/yumi.urdf)
 EDGE_STEP_M = 0.004  # less than a grid cell: an object is held at least half a cell above what it is put on
 
 
@@ -64,13 +65,25 @@ class Grasp:
 
 
 @dataclass
+class Arm:
+    """`robot`: the robot file, unless it has the robot's name; `rest_opening`: of the empty hand (m)."""
+
+    name: str
+    start: tuple
+    robot: str | None = None
+    rest_opening: float | None = None
+
+
+@dataclass
 class Robot:
-    """`bases` and `grasps` by the names of surroundings and objects; the same start everywhere."""
+    """`bases`, `pedestals` and `grasps` by the names of surroundings and objects; the same starts everywhere, and the
+    same grasp for all arms."""
 
     name: str
     bases: dict
+    pedestals: dict
     grasps: dict
-    start: tuple
+    arms: list
 
 
 CABINET = {
@@ -168,59 +181,110 @@ def side_grasp(tcp, tilt: float, opening: float) -> Grasp:
     return Grasp(tcp, (math.cos(half), 0, math.sin(half), 0), opening)
 
 
-def from_yumi(position, quaternion, finger: float, shorter: float = 0.0) -> Grasp:
-    """A published grasp of the YuMi's gripper base (which closes along x), for a hand whose TCP lies between
-    the finger tips 8.8 mm behind their ends. The tips reach less far by `shorter`."""
-    tip, behind = 0.135 - shorter, 0.0088
-    w, x, y, z = quaternion
-    approach = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
-    tcp = tuple(p + (tip - behind) * a for p, a in zip(position, approach))
-    c = math.sqrt(0.5)  # times a turn by -90 degrees about z
-    turned = (c * (w + z), c * (x - y), c * (y + x), c * (z - w))
-    return Grasp(tcp, turned, 2 * finger)
-
-
-def panda() -> Robot:
-    yaw = math.pi / 2
-    return Robot(
-        "panda",
-        {
-            "cabinet_cluttered": ((0.05, -0.02, 0.0), yaw),
-            "table_cluttered": ((0.0, -0.10, 0.0), yaw),
-            "cabinet_sparse": ((0.05, -0.02, 0.0), yaw),
-        },
-        {
-            "large_crayons": from_yumi((-0.1654, 0.0250, -0.0056), (0.7200, 0.1240, 0.6775, -0.0842), 0.0185, 0.018),
-            "small_crayons": from_yumi((-0.1333, -0.0018, 0.0911), (-0.2810, 0.6733, -0.6158, 0.2974), 0.0109),
-            "wine_glass": side_grasp((-0.003, 0.0, 0.032), 0.3, 0.010),
-            "toy_table": side_grasp((-0.030, 0.0, 0.038), 0.5, 0.072),
-        },
-        (0, -0.785, 0, -2.356, 0, 1.571, 0.785),
+def times(a, b):
+    """Product of two quaternions (w, x, y, z)."""
+    (aw, ax, ay, az), (bw, bx, by, bz) = a, b
+    return (
+        aw * bw - ax * bx - ay * by - az * bz,
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
     )
 
 
-def pedestal(base) -> str:
+def quarter_turn(axis: str, sign: int = 1) -> tuple:
+    half = math.sqrt(0.5)
+    return (half, *(sign * half if name == axis else 0.0 for name in "xyz"))
+
+
+def from_gripper_base(position, quaternion, finger: float, reach: float, sign: int = 1) -> Grasp:
+    """A published grasp, the pose of the YuMi's gripper base, which approaches along z and closes along x, for a hand
+    whose TCP lies `reach` before that base. Closing along y is a quarter turn about z, either way."""
+    w, x, y, z = quaternion
+    approach = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
+    tcp = tuple(p + reach * a for p, a in zip(position, approach))
+    return Grasp(tcp, times(quaternion, quarter_turn("z", sign)), 2 * finger)
+
+
+# Position and quaternion of the gripper base in the object's frame, half the opening.
+PUBLISHED = {
+    "large_crayons": ((-0.1654, 0.0250, -0.0056), (0.7200, 0.1240, 0.6775, -0.0842), 0.0185),
+    "small_crayons": ((-0.1333, -0.0018, 0.0911), (-0.2810, 0.6733, -0.6158, 0.2974), 0.0109),
+    "wine_glass": ((-0.0608, -0.0583, -0.1054), (-0.0015, 0.2566, -0.0201, 0.9663), 0.0031),
+    "toy_table": ((-0.0084, -0.1378, 0.0526), (0.4888, -0.4925, 0.5422, 0.4738), 0.0030),
+}
+
+
+def published_glass():
+    """The published glass stands along y with its middle in the origin, this one along z with its foot there; and
+    between its fingers is a stem of 8.4 mm."""
+    (x, y, z), quaternion, _ = PUBLISHED["wine_glass"]
+    return (x, -z, y + 0.145 / 2), times(quarter_turn("x"), quaternion), 0.0042
+
+
+def panda() -> Robot:
+    cabinet, table = (0.05, -0.02, 0.0), (0.0, -0.10, 0.0)
+    bases = {"cabinet_cluttered": cabinet, "table_cluttered": table, "cabinet_sparse": cabinet}
+    return Robot(
+        "panda",
+        bases,
+        {place: panda_pedestal(base) for place, base in bases.items()},
+        {
+            # The tips are 8.8 mm before the TCP; those of the large box reach 18 mm less far than the YuMi's.
+            "large_crayons": from_gripper_base(*PUBLISHED["large_crayons"], 0.135 - 0.0088 - 0.018, -1),
+            "small_crayons": from_gripper_base(*PUBLISHED["small_crayons"], 0.135 - 0.0088, -1),
+            "wine_glass": side_grasp((-0.003, 0.0, 0.032), 0.3, 0.010),
+            "toy_table": side_grasp((-0.030, 0.0, 0.038), 0.5, 0.072),
+        },
+        [Arm("panda", (0, -0.785, 0, -2.356, 0, 1.571, 0.785))],
+    )
+
+
+def panda_pedestal(base) -> str:
     """What carries the robot; it ends below the lowest point of its first link's shapes."""
     x, y, z = base
     return between((x - 0.12, y - 0.12, -0.475), (x + 0.12, y + 0.12, z - 0.08))
 
 
+def yumi() -> Robot:
+    """As published, but for two hands that would touch what they hold with the cylinder around their base."""
+    base = (0.0, 0.12, 0.10)
+    size, at_cabinet, at_table = (0.9, 0.55, 0.5), (0, -0.0375, -0.255), (-0.13, -0.0375, -0.27)
+    grasps = PUBLISHED | {"wine_glass": published_glass()}
+    back = {"large_crayons": 0.010, "wine_glass": 0.001}
+    rest_opening = 0.04
+    return Robot(
+        "yumi",
+        {place: base for place in SURROUNDINGS},
+        {
+            "cabinet_cluttered": box(size, at_cabinet),
+            "table_cluttered": box(size, at_table),
+            "cabinet_sparse": box(size, at_cabinet),
+        },
+        {item: from_gripper_base(*grasp, YUMI_REACH - back.get(item, 0)) for item, grasp in grasps.items()},
+        [
+            Arm("left", (-0.93, -1.55, 0, 0, 0, 0, 0), "yumi_left", rest_opening),
+            Arm("right", (0.69, -1.95, 0, 0, 0, 0, 0), "yumi_right", rest_opening),
+        ],
+    )
+
+
 def scene(robot: Robot, place: str, item: str) -> str:
     surroundings = SURROUNDINGS[place]
     shapes, com = OBJECTS[item]
-    base, yaw = robot.bases[place]
+    base = robot.bases[place]
     grasp = robot.grasps[item]
     lines = [
         "# SPDX-License-Identifier: BSD-3-Clause",
         f"# {surroundings.about} Written by scripts/placement_scenes.py.",
         "schema: 1",
         f"name: placement_{robot.name}_{place}_{item}",
-        f"robot: {robot.name}",
-        f"robot_base: {{{pose(base, rpy=(0, 0, yaw))}}}",
+        f"robot: {robot.arms[0].robot or robot.name}",
+        f"robot_base: {{{pose(base, rpy=(0, 0, math.pi / 2))}}}",
         f"edge_step_m: {number(EDGE_STEP_M)}",
         "budget_s: 120",
         "obstacles:",
-        f"  - {{name: pedestal, {pedestal(base)}}}",
+        f"  - {{name: pedestal, {robot.pedestals[place]}}}",
     ]
     lines += [f"  - {{name: {name}, {shape}}}" for name, shape in surroundings.obstacles.items()]
     lines += ["object:", f"  name: {item}", "  shapes:"]
@@ -230,12 +294,13 @@ def scene(robot: Robot, place: str, item: str) -> str:
     if com:
         lines += [f"  centre_of_mass_m: {numbers(com)}"]
     held = pose(grasp.position, quaternion=grasp.quaternion)
-    lines += [
-        "  arms:",
-        f"    - name: {robot.name}",
-        f"      grasp: {{{held}, opening_m: {number(grasp.opening)}}}",
-        f"      start: {numbers(robot.start)}",
-    ]
+    lines += ["  arms:"]
+    for arm in robot.arms:
+        lines += [f"    - name: {arm.name}"]
+        lines += [f"      robot: {arm.robot}"] if arm.robot else []
+        lines += [f"      grasp: {{{held}, opening_m: {number(grasp.opening)}}}"]
+        lines += [f"      start: {numbers(arm.start)}"]
+        lines += [f"      rest_opening_m: {number(arm.rest_opening)}"] if arm.rest_opening is not None else []
     return "\n".join(lines) + "\n"
 
 
@@ -244,7 +309,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=FOLDER, help="folder to write to")
     out = parser.parse_args().out
     out.mkdir(parents=True, exist_ok=True)
-    for robot in [panda()]:
+    for robot in (panda(), yumi()):
         for place in SURROUNDINGS:
             for item in OBJECTS:
                 (out / f"{robot.name}_{place}_{item}.yaml").write_text(scene(robot, place, item))

@@ -81,11 +81,6 @@ class ReachableSet {
   Enclosure round_;
 };
 
-// Joints that neither plan nor grip rest at the value in their limits nearest to zero.
-double restValue(const Joint& joint) {
-  return joint.type == JointType::kFixed ? 0.0 : std::clamp(0.0, joint.lower, joint.upper);
-}
-
 }  // namespace
 
 Eigen::VectorXd travelPerUnit(const Manipulator& robot, int link, const PlacedShape& shape) {
@@ -98,7 +93,7 @@ Eigen::VectorXd travelPerUnit(const Manipulator& robot, int link, const PlacedSh
     const bool finger = isFingerJoint(robot, j);
     double value = 0.0;
     if (planned < 0 && !finger) {
-      value = restValue(joint);
+      value = robot.restValue(j);
     } else if (joint.type == JointType::kRevolute) {
       const double radius = points.turn(joint.axis);
       if (planned >= 0) travel[planned] = radius;

@@ -2,6 +2,7 @@
 #include "experiments/placement/placement_file.h"
 
 #include <string>
+#include <utility>
 
 #include "experiments/placement/point_cloud.h"
 #include "experiments/placement/solid.h"
@@ -42,7 +43,7 @@ Eigen::Isometry3d readPose(const YamlValue& pose) {
 }
 
 PlacementArm readArm(const YamlValue& entry, const Scene& scene) {
-  entry.allowKeys({"name", "robot", "robot_base", "grasp", "start"});
+  entry.allowKeys({"name", "robot", "robot_base", "grasp", "start", "rest_opening_m"});
   PlacementArm arm;
   arm.name = entry["name"].text();
   RobotFile robot = scene.robot;
@@ -60,6 +61,9 @@ PlacementArm readArm(const YamlValue& entry, const Scene& scene) {
   arm.grasp.X_OT = poseFrom(grasp);
   arm.grasp.opening_m = grasp["opening_m"].number(0.0, robot.description.max_opening_m);
   arm.start = entry["start"].numbers(robot.description.joints.size());
+  const auto rest_opening = entry.find("rest_opening_m");
+  arm.rest_opening_m = rest_opening ? rest_opening->number(0.0, robot.description.max_opening_m)
+                                    : robot.description.max_opening_m;
   return arm;
 }
 
@@ -97,7 +101,10 @@ PlacementTask readPlacementTask(const YamlValue& place, const YamlValue& object,
   task.p_OCom = com ? com->vector3(kFarthest_m) : centreOfMass(task.object);
   if (const auto points = place.find("points")) addPoints(*points, task, scene);
   for (const YamlValue& entry : place["arms"].items()) {
-    task.arms.push_back(readArm(entry, scene));
+    PlacementArm arm = readArm(entry, scene);
+    for (const PlacementArm& earlier : task.arms)
+      if (earlier.name == arm.name) entry["name"].failWithValue("is the name of two arms");
+    task.arms.push_back(std::move(arm));
     if (task.arms.back().start.size() != task.arms.front().start.size())
       entry["start"].fail("has another number of joints than the first arm");
   }

@@ -7,8 +7,8 @@
 
 namespace b4p {
 
-/// Reads the keys `place` and `object` of a scene file. Where a point cloud is named, its cells become obstacles of the
-/// scene.
+/// Reads the keys `place` and `object` of a scene file. Where a point cloud is named, its cells become
+/// obstacles of the scene.
 /// @param scene  read so far: robot, obstacles
 /// @throws InputError naming file, key and value
 PlacementTask readPlacementTask(const YamlValue& place, const YamlValue& object, Scene& scene);

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "experiments/floating_body.h"
+#include "experiments/placement/resting_arms.h"
 #include "robots/input_error.h"
 #include "robots/inverse_kinematics.h"
 #include "robots/kinematic_chain.h"
-#include "robots/robot_model.h"
 
 namespace b4p {
 namespace {
@@ -18,16 +18,22 @@ namespace {
 constexpr double kLevel_rad = 0.01;  ///< a face tilted by less is horizontal
 constexpr IkTolerance kIkTolerance{1e-5, 1e-4};
 
-ScenePlacementWorld::Arm makeArm(const Scene& scene, const PlacementArm& source) {
-  ScenePlacementWorld::Arm arm;
-  arm.robot = std::make_shared<Manipulator>(loadUrdf(source.urdf_file), source.description, source.X_WB,
-                                            source.robot_file);
-  arm.grasp = source.grasp;
+/// The scene's obstacles and object around a robot, other arms left out.
+CollisionProblem problemOf(const Scene& scene, const std::shared_ptr<const Manipulator>& robot) {
   CollisionProblem problem;
-  problem.robot = arm.robot;
+  problem.robot = robot;
   problem.obstacles = scene.obstacles;
   problem.object = scene.placing().object;
   problem.edge_step_m = scene.edge_step_m;
+  return problem;
+}
+
+ScenePlacementWorld::Arm makeArm(const Scene& scene, std::size_t index) {
+  ScenePlacementWorld::Arm arm;
+  arm.robot = robotWithOthersAtRest(scene, index);
+  arm.grasp = scene.placing().arms[index].grasp;
+  CollisionProblem problem = problemOf(scene, arm.robot);
+  for (Obstacle& link : otherRobots(scene, index)) problem.obstacles.push_back(std::move(link));
   try {
     arm.checker = makeFclChecker(problem);
     arm.hand = FloatingBody::makeChecker(problem, FloatingBody::Parts::kGripper);
@@ -144,12 +150,13 @@ std::unique_ptr<GraspMotionContext> ArmMotions::makeContext() const {
 }  // namespace
 
 ScenePlacementWorld::ScenePlacementWorld(const Scene& scene) : geometry_(scene) {
-  for (const PlacementArm& source : scene.placing().arms) {
-    arms_.push_back(makeArm(scene, source));
+  const std::vector<PlacementArm>& sources = scene.placing().arms;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    arms_.push_back(makeArm(scene, i));
     if (arms_.back().robot->dof() != arms_.front().robot->dof())
-      throw InputError(scene.file, source.name, "has another number of joints than the first arm");
+      throw InputError(scene.file, sources[i].name, "has another number of joints than the first arm");
   }
-  object_ = FloatingBody::makeChecker(arms_.front().checker->problem(), FloatingBody::Parts::kObject);
+  object_ = FloatingBody::makeChecker(problemOf(scene, arms_.front().robot), FloatingBody::Parts::kObject);
 }
 
 Eigen::Isometry3d ScenePlacementWorld::objectPose(const Placement& placement) const {

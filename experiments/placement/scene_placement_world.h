@@ -19,7 +19,7 @@ class ScenePlacementWorld : public PlacementWorld {
   /// One arm with its grasp.
   struct Arm {
     std::shared_ptr<const Manipulator> robot;
-    std::shared_ptr<const CollisionChecker> checker;  ///< of the arm and the object it holds
+    std::shared_ptr<const CollisionChecker> checker;  ///< of the arm and the object it holds, others at rest
     std::shared_ptr<const CollisionChecker> hand;     ///< of the hand and the object alone
     Grasp grasp;
   };

@@ -31,7 +31,7 @@ RobotFile loadRobotFile(const std::string& name_or_path) {
   robot.file = shippedFile("robots", "robot", name_or_path);
   const YamlValue document = YamlValue::load(robot.file);
   document.requireSchema(kRobotSchema);
-  document.allowKeys({"schema", "urdf", "tcp_link", "joints", "gripper", "skip_self_collision"});
+  document.allowKeys({"schema", "urdf", "tcp_link", "joints", "gripper", "skip_self_collision", "rest"});
   robot.urdf_file = relativeTo(robot.file, document["urdf"].text());
   ManipulatorDescription& description = robot.description;
   description.tcp_link = document["tcp_link"].text();
@@ -44,6 +44,9 @@ RobotFile loadRobotFile(const std::string& name_or_path) {
   description.max_opening_m = gripper["max_opening_m"].number(0.0, kFarthest_m);
   if (const auto pairs = document.find("skip_self_collision"))
     description.skip_self_collision = readPairs(*pairs);
+  if (const auto rest = document.find("rest"))
+    for (const auto& [joint, value] : rest->entries())
+      if (!description.rest.emplace(joint, value.number()).second) value.fail("duplicate key");
   return robot;
 }
 

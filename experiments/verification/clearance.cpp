@@ -21,10 +21,11 @@ double top_m(const PlacedBody& obstacle) {
   return (obstacle.X_LS * obstacle.body.support(up)).z() + obstacle.body.margin();
 }
 
-/// Points of a cubic lattice inside the object, few enough to be measured one by one.
-std::vector<Vector3d> pointsInside(const std::vector<PlacedShape>& shapes, double spacing_m) {
+/// Centres of the cubes of a lattice around the object that any of its shapes overlaps; of many, evenly
+/// chosen ones, few enough to be measured one by one.
+std::vector<Vector3d> pointsOf(const std::vector<PlacedShape>& shapes, double cell_m) {
   constexpr std::size_t kMost = 1500;
-  constexpr double kWider = 1.2;
+  constexpr double kRounding_m = 1e-6;
   Vector3d low = Vector3d::Constant(1e9), high = -low;
   std::vector<PlacedBody> bodies;
   for (const PlacedShape& shape : shapes) {
@@ -39,22 +40,24 @@ std::vector<Vector3d> pointsInside(const std::vector<PlacedShape>& shapes, doubl
         high = high.cwiseMax(end);
       }
   }
-  for (double spacing = spacing_m;; spacing *= kWider) {
-    std::vector<Vector3d> points;
-    const Eigen::Array3i count = ((high - low).array() / spacing).ceil().cast<int>();
-    const Vector3d first = 0.5 * (low + high) - 0.5 * spacing * (count - 1).cast<double>().matrix();
-    for (int i = 0; i < count.x(); ++i)
-      for (int j = 0; j < count.y(); ++j)
-        for (int k = 0; k < count.z(); ++k) {
-          const Vector3d p = first + spacing * Vector3d(i, j, k);
-          const ConvexBody point = ConvexBody::hull({p});
-          if (std::any_of(bodies.begin(), bodies.end(), [&](const PlacedBody& body) {
-                return !apart(point, Isometry3d::Identity(), body.body, body.X_LS);
-              }))
-            points.push_back(p);
-        }
-    if (points.size() <= kMost) return points;
-  }
+  const Eigen::Array3i count =
+      ((high - low).array() / cell_m - kRounding_m / cell_m).ceil().cast<int>().max(1);
+  const Vector3d first = 0.5 * (low + high) - 0.5 * cell_m * (count - 1).cast<double>().matrix();
+  const ConvexBody cube = ConvexBody::box(Vector3d::Constant(cell_m - 2.0 * kRounding_m));
+  std::vector<Vector3d> points;
+  for (int i = 0; i < count.x(); ++i)
+    for (int j = 0; j < count.y(); ++j)
+      for (int k = 0; k < count.z(); ++k) {
+        const Vector3d p = first + cell_m * Vector3d(i, j, k);
+        if (std::any_of(bodies.begin(), bodies.end(), [&](const PlacedBody& body) {
+              return !apart(cube, Isometry3d(Eigen::Translation3d(p)), body.body, body.X_LS);
+            }))
+          points.push_back(p);
+      }
+  if (points.size() <= kMost) return points;
+  std::vector<Vector3d> chosen;
+  for (std::size_t i = 0; i < kMost; ++i) chosen.push_back(points[i * points.size() / kMost]);
+  return chosen;
 }
 
 /// Spread over the upper half of the unit ball, its equator included.
@@ -75,7 +78,7 @@ std::vector<Vector3d> upperDirections() {
 
 Clearance::Clearance(const Scene& scene)
     : task_(scene.placing()),
-      points_O_(pointsInside(scene.placing().object, scene.placing().cell_m)),
+      points_O_(pointsOf(scene.placing().object, scene.placing().cell_m)),
       directions_(upperDirections()) {
   const ConvexBody volume = ConvexBody::box(task_.max_m - task_.min_m);
   const Isometry3d X_WV(Eigen::Translation3d(0.5 * (task_.min_m + task_.max_m)));

@@ -11,10 +11,10 @@
 namespace b4p::verification {
 
 /// Clearance C of a placed object (Haustein et al., IROS 2019, section V) from its shapes and the obstacles',
-/// without a grid of the surroundings: the mean, over points of the object, of the distance to the nearest
-/// obstacle's point inside the target volume that is not lower. Distances are those of convex solids; where
-/// the nearest point of one is too low or outside of the volume, the smallest part of a ball around the point
-/// that touches it is found by halving.
+/// without a grid of the surroundings: the mean, over cells of the object as large as the grid's, of the
+/// distance to the nearest obstacle's point inside the target volume that is not lower. Distances are those
+/// of convex solids; where the nearest point of one is too low or outside of the volume, the smallest part of
+/// a ball around the point that touches it is found by halving.
 class Clearance {
  public:
   /// @param scene  with a placement task; has to outlive this object

@@ -63,9 +63,11 @@ std::set<std::pair<int, int>> skippedPairs(const Scene& scene, const Kinematics&
 
 }  // namespace
 
-CollisionSweep::CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m)
+CollisionSweep::CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m,
+                               const std::vector<StandingBody>& standing)
     : robot_(robot), opening_m_(grasp.opening_m), step_m_(step_m) {
   addBodies(scene, grasp);
+  for (const StandingBody& body : standing) addBody(body.name, kWorld, false, body.placed);
   addPairs(scene);
 }
 

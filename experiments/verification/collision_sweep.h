@@ -21,6 +21,12 @@ struct Contact {
   double fraction;  ///< where on the edge, 0 to 1
 };
 
+/// Something that stands in the world and is no obstacle of the scene's.
+struct StandingBody {
+  std::string name;
+  PlacedBody placed;  ///< in the world
+};
+
 /// Moves robot and held object along edges and looks for contact. Holds scratch: one thread.
 ///
 /// Samples of an edge lie so close that no point moves more than step_m between them. A pair of bodies
@@ -29,9 +35,11 @@ struct Contact {
 /// distance at one is below the clearance.
 class CollisionSweep {
  public:
-  /// @param scene, robot  have to outlive the sweep
+  /// @param robot     has to outlive the sweep
+  /// @param standing  stands in the way besides the scene's obstacles
   /// @throws InputError for names of links that the robot does not have.
-  CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m);
+  CollisionSweep(const Scene& scene, const Kinematics& robot, const Grasp& grasp, double step_m,
+                 const std::vector<StandingBody>& standing = {});
 
   /// Steps that the edge from q1 to q2 is divided into, at least 1. Beyond kMostSteps (infinite where the
   /// step is next to nothing) the edge cannot be swept.

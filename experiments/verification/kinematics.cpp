@@ -28,6 +28,8 @@ Kinematics::Kinematics(const std::string& urdf_file, const ManipulatorDescriptio
     role_[joint] = dof();
     planned_.push_back(joint);
   }
+  for (const UrdfJoint& joint : tree_.joints) rest_.push_back(std::clamp(0.0, joint.lower, joint.upper));
+  for (const auto& [name, value] : description.rest) rest_[jointNamed(name)] = value;
   for (const std::string& name : description.finger_joints) role_[jointNamed(name)] = kFinger;
   tcp_link_ = requireIndex(tree_.linkIndex(description.tcp_link), "link", description.tcp_link, urdf_file);
 }
@@ -35,9 +37,7 @@ Kinematics::Kinematics(const std::string& urdf_file, const ManipulatorDescriptio
 double Kinematics::value(int joint, const Eigen::VectorXd& q, double opening_m) const {
   const int role = role_[joint];
   if (role >= 0) return q[role];
-  if (role == kFinger) return opening_m / 2.0;
-  const UrdfJoint& resting = tree_.joints[joint];
-  return std::clamp(0.0, resting.lower, resting.upper);
+  return role == kFinger ? opening_m / 2.0 : rest_[joint];
 }
 
 std::vector<Eigen::Isometry3d> Kinematics::linkPoses(const Eigen::VectorXd& q, double opening_m) const {

@@ -12,8 +12,8 @@
 namespace b4p::verification {
 
 /// Where a robot's links are, computed from its URDF with Eigen alone, and how far they can move. Joints that
-/// are neither planned nor fingers stay at the value in their limits nearest to zero. Immutable; any thread
-/// may use it.
+/// are neither planned nor fingers stay at the description's rest values, or else at the value in their
+/// limits nearest to zero. Immutable; any thread may use it.
 class Kinematics {
  public:
   /// @param X_WB  pose of the root link in the world
@@ -43,6 +43,7 @@ class Kinematics {
   Eigen::Isometry3d X_WB_;
   std::vector<int> planned_;  ///< joint indices in the order of q
   std::vector<int> role_;     ///< per joint: index into q, or a Role
+  std::vector<double> rest_;  ///< per joint (rad or m)
   int tcp_link_ = -1;
 };
 

@@ -8,6 +8,7 @@
 #include "experiments/verification/footing.h"
 #include "experiments/verification/kinematics.h"
 #include "experiments/verification/number_text.h"
+#include "experiments/verification/others_at_rest.h"
 #include "experiments/verification/path_checks.h"
 #include "experiments/verification/task_checks.h"
 #include "robots/input_error.h"
@@ -28,10 +29,11 @@ struct PlacementVerifier::Parts {
 
 namespace {
 
-/// The scene as one arm has it.
-Scene sceneOf(const Scene& scene, const PlacementArm& arm) {
+/// The scene as one arm has it, the robot's other arms at rest.
+Scene sceneOf(const Scene& scene, std::size_t index) {
+  const PlacementArm& arm = scene.placing().arms[index];
   Scene own = scene;
-  own.robot = {arm.robot_file, arm.urdf_file, arm.description};
+  own.robot = {arm.robot_file, arm.urdf_file, verification::withOthersAtRest(scene.placing(), index)};
   own.X_WB = arm.X_WB;
   return own;
 }
@@ -60,9 +62,10 @@ PlacementVerifier::~PlacementVerifier() = default;
 
 PlacementVerification PlacementVerifier::verify(const PlacementImprovement& improvement,
                                                 const std::vector<std::string>& joint_names) const {
-  const PlacementArm& arm = parts_->scene.placing().arms.at(static_cast<std::size_t>(improvement.arm));
-  const Scene scene = sceneOf(parts_->scene, arm);
-  const verification::Kinematics robot(arm.urdf_file, arm.description, arm.X_WB);
+  const auto index = static_cast<std::size_t>(improvement.arm);
+  const PlacementArm& arm = parts_->scene.placing().arms.at(index);
+  const Scene scene = sceneOf(parts_->scene, index);
+  const verification::Kinematics robot(scene.robot.urdf_file, scene.robot.description, scene.X_WB);
   PlacementVerification outcome;
   outcome.step_m = scene.edge_step_m / verification::kFinerThanPlanning;
   const auto fails = [&outcome](const std::string& failure) {
@@ -74,7 +77,8 @@ PlacementVerification PlacementVerifier::verify(const PlacementImprovement& impr
   rows.path = improvement.path;
   if (fails(verification::rowsProblem(scene, rows, robot))) return outcome;
   if (fails(startProblem(arm, improvement.path.front()))) return outcome;
-  verification::CollisionSweep sweep(scene, robot, arm.grasp, outcome.step_m);
+  verification::CollisionSweep sweep(scene, robot, arm.grasp, outcome.step_m,
+                                     verification::otherRobots(scene.placing(), index));
   if (fails(verification::motionProblem(improvement.path, sweep))) return outcome;
   outcome.configurations = sweep.samples();
   outcome.clearance_m = sweep.clearance_m();

@@ -12,7 +12,8 @@ namespace b4p {
 
 /// Re-checks motions to placements with code of its own, as verify() does for picking and placing:
 /// - joints are the arm's, in order, and inside their limits; the first way-point is the arm's start;
-/// - along every edge nothing touches, at a tenth of the scene's step (see verify());
+/// - along every edge nothing touches, at a tenth of the scene's step (see verify()); the other arms stand at
+///   their starts, empty-handed;
 /// - the pose at the end is the one stated, the object stands on obstacles with all its feet inside the
 /// target
 ///   volume and its centre of mass above them (verification::Footing);

@@ -33,11 +33,6 @@ LanePose lanePose(const Eigen::Isometry3d& X) {
   return pose;
 }
 
-// Joints that neither plan nor grip rest at the value in their limits nearest to zero.
-double restValue(const Joint& joint) {
-  return joint.type == JointType::kFixed ? 0.0 : std::clamp(0.0, joint.lower, joint.upper);
-}
-
 // Largest value that a planned joint is covered at.
 double largestValue(const Joint& joint) {
   const double largest = std::max(std::abs(joint.lower), std::abs(joint.upper));
@@ -115,7 +110,7 @@ void LaneModel::addJoints(const Manipulator& robot) {
     Carried& child = links[static_cast<std::size_t>(joint.child_link)];
     const int q_index = plannedIndex(robot, static_cast<int>(j));
     if (q_index < 0) {
-      child = {parent.joint, parent.X_JL * childInParent(joint, restValue(joint))};
+      child = {parent.joint, parent.X_JL * childInParent(joint, robot.restValue(static_cast<int>(j)))};
       continue;
     }
     const Eigen::Isometry3d to_axis(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), joint.axis));
@@ -167,7 +162,8 @@ std::vector<LaneModel::Carried> LaneModel::carriedLinks(const Manipulator& robot
     if (const int lane_joint = lane_joint_[j]; lane_joint >= 0) {
       child = {lane_joint, X_joint_link_[static_cast<std::size_t>(lane_joint)]};
     } else {
-      const double value = isFingerJoint(robot, static_cast<int>(j)) ? opening_m / 2.0 : restValue(joint);
+      const int model_joint = static_cast<int>(j);
+      const double value = isFingerJoint(robot, model_joint) ? opening_m / 2.0 : robot.restValue(model_joint);
       child = {parent.joint, parent.X_JL * childInParent(joint, value)};
     }
   }

@@ -92,7 +92,8 @@ TEST(PlacementScenes, AllThatShipAreSound) {
     EXPECT_EQ(problem.goal->problem(), "");
     EXPECT_GE(problem.world->regions().size(), 3u);
     EXPECT_EQ(problem.pdef->getStartStateCount(), scene.placing().arms.size());
-    EXPECT_TRUE(problem.si->isValid(problem.pdef->getStartState(0)));
+    for (unsigned i = 0; i < problem.pdef->getStartStateCount(); ++i)
+      EXPECT_TRUE(problem.si->isValid(problem.pdef->getStartState(i))) << name << " arm " << i;
   }
 }
 

@@ -31,6 +31,8 @@ TEST(AlignedChain, AgreesWithKdlOnShippedRobots) {
   expectSameAsKdl(shippedRobot("panda", unevenPose()));
   expectSameAsKdl(shippedRobot("planar_gripper", unevenPose()));
   expectSameAsKdl(shippedRobot("mobile_panda", unevenPose()));
+  expectSameAsKdl(shippedRobot("yumi_left", unevenPose()));
+  expectSameAsKdl(shippedRobot("yumi_right", unevenPose()));
 }
 
 TEST(AlignedChain, AgreesWithKdlOnAnyAxesAndOrder) {

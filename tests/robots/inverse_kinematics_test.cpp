@@ -158,7 +158,8 @@ TEST_P(InverseKinematicsConformance, ToleranceHasToBePositive) {
 
 INSTANTIATE_TEST_SUITE_P(SolversAndRobots, InverseKinematicsConformance,
                          testing::Combine(testing::ValuesIn(kSolvers),
-                                          testing::Values("panda", "planar_gripper")),
+                                          testing::Values("panda", "planar_gripper", "yumi_left",
+                                                          "yumi_right")),
                          [](const auto& instance) {
                            return std::string(std::get<Solver>(instance.param).name) + "_" +
                                   std::get<1>(instance.param);

@@ -79,7 +79,9 @@ TEST_P(KinematicChainOf, ChainsOfSeveralThreadsDoNotDisturbEachOther) {
   for (const int count : wrong) EXPECT_EQ(count, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(ShippedRobots, KinematicChainOf, testing::Values("panda", "planar_gripper", "mobile_panda"),
+INSTANTIATE_TEST_SUITE_P(ShippedRobots, KinematicChainOf,
+                         testing::Values("panda", "planar_gripper", "mobile_panda", "yumi_left",
+                                         "yumi_right"),
                          [](const auto& instance) { return std::string(instance.param); });
 
 // The order of q is the description's, which need not be the order along the arm.

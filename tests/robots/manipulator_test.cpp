@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -87,6 +88,25 @@ TEST(Manipulator, OtherJointsRestAtTheValueNearestToZero) {
   robot.linkPoses(q, 0.0, X_WL);
   const Eigen::AngleAxisd turn(X_WL[static_cast<std::size_t>(robot.model().linkIndex("flap"))].linear());
   EXPECT_NEAR(turn.angle(), 0.3, 1e-12);
+}
+
+TEST(Manipulator, RestValuesAreKeptAndChecked) {
+  auto d = description();
+  d.rest = {{"hinge", 1.2}};
+  const Manipulator robot(arm(), d, Eigen::Isometry3d::Identity(), "arm.yaml");
+  const double q[] = {0, 0.2};
+  std::vector<Eigen::Isometry3d> X_WL;
+  robot.linkPoses(q, 0.0, X_WL);
+  const Eigen::AngleAxisd turn(X_WL[static_cast<std::size_t>(robot.model().linkIndex("flap"))].linear());
+  EXPECT_NEAR(turn.angle(), 1.2, 1e-12);
+  for (const auto& [joint, value, complaint] :
+       {std::tuple("hinge", 0.2, "arm.yaml: rest: joint 'hinge' at 0.2 is outside its limits, 0.3 to 2"),
+        std::tuple("hinge", std::numeric_limits<double>::quiet_NaN(), "outside its limits"),
+        std::tuple("tip", 0.0, "rest: joint 'tip' is fixed"), std::tuple("slide", 0.2, "does not rest"),
+        std::tuple("finger_left", 0.0, "does not rest"), std::tuple("elbow", 0.0, "has no joint 'elbow'")}) {
+    d.rest = {{joint, value}};
+    EXPECT_THAT(problem(d), HasSubstr(complaint));
+  }
 }
 
 TEST(Manipulator, LimitsAreInclusiveAndRefuseNonFiniteValues) {

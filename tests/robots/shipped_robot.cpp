@@ -15,6 +15,7 @@ ManipulatorDescription shippedDescription(const std::string& name) {
   description.max_opening_m = file["gripper"]["max_opening_m"].as<double>();
   description.skip_self_collision =
       file["skip_self_collision"].as<std::vector<std::pair<std::string, std::string>>>();
+  if (file["rest"]) description.rest = file["rest"].as<std::map<std::string, double>>();
   return description;
 }
 

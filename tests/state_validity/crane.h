@@ -33,7 +33,8 @@ class Crane {
     joint("yaw", JointType::kRevolute, Eigen::Vector3d::UnitZ(), "column", "tool", 3.14159);
     joint("open_left", JointType::kPrismatic, Eigen::Vector3d::UnitY(), "tool", "left", 0.1);
     joint("open_right", JointType::kPrismatic, -Eigen::Vector3d::UnitY(), "tool", "right", 0.1);
-    description_ = {{"x", "y", "z", "yaw"}, "tool", {"open_left", "open_right"}, {"left", "right"}, 0.2, {}};
+    description_ = {
+        {"x", "y", "z", "yaw"}, "tool", {"open_left", "open_right"}, {"left", "right"}, 0.2, {}, {}};
   }
 
   Crane& with(const std::string& link, PlacedShape shape) {
