@@ -29,6 +29,7 @@ const Meanings kOfParallelPlanners{
     {"restart_s", "time after which the trees are dropped for another grasp (s)"},
     {"restart_iterations",
      "> 0: drops all trees after so many steps of all threads (iterations); b4p: paper mode only"},
+    {"shortcuts", "b4p: shortcuts tried on the path found; 0: none (count)"},
     {"growth", "each slice is so many times the one before (factor)"}};
 
 const Meanings kOfReachPlanners{

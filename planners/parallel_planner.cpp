@@ -49,7 +49,8 @@ ob::PlannerStatus ParallelPlanner::search(const ob::PlannerTerminationCondition&
     work([this](std::size_t number) { workers_[number]->step(); },
          [this] { return search_->finished() || search_->expired(); }, ptc);
     search_->pause();
-    if (const auto solution = search_->takeSolution()) {
+    if (auto solution = search_->takeSolution()) {
+      shorten(*solution, ptc);
       addSolution(*solution);
       return ob::PlannerStatus::EXACT_SOLUTION;
     }

@@ -37,6 +37,12 @@ class ParallelPlanner : public GuardedPlanner {
   virtual unsigned threadCount() const = 0;
   virtual std::unique_ptr<ParallelSearch> makeSearch(const SearchProblem& problem) = 0;
 
+  /// What becomes of a path before it is a solution, inside the time limit: here nothing.
+  virtual void shorten(ompl::geometric::PathGeometric& path,
+                       const ompl::base::PlannerTerminationCondition& ptc) {
+    static_cast<void>(path), static_cast<void>(ptc);
+  }
+
   /// Lets workers 0 ... threadCount()-1 take steps until the search is `over` or `ptc` holds: here each in a
   /// thread of its own. What `step` throws passes through.
   virtual void work(const std::function<void(std::size_t number)>& step, const std::function<bool()>& over,

@@ -2,6 +2,7 @@
 #include "planners/b4p/b4p_planner.h"
 
 #include "planners/b4p/search.h"
+#include "planners/shortcuts.h"
 
 namespace b4p {
 
@@ -17,6 +18,7 @@ B4P::B4P(const ompl::base::SpaceInformationPtr& si) : ParametrisedPlanner(si, "B
   declare("slice", &B4PParameters::slice, "1:1:100000");
   declare("retreat_steps", &B4PParameters::retreat_steps, "0:1:100");
   declare("root_attempts", &B4PParameters::root_attempts, "1:1:10000");
+  declare("shortcuts", &B4PParameters::shortcuts, "0:1:100000");
   declare("repair_iterations", &B4PParameters::repair_iterations, "1:1:100000");
 
   declareProgress("restarts INTEGER", statistics().restarts);
@@ -27,6 +29,10 @@ B4P::B4P(const ompl::base::SpaceInformationPtr& si) : ParametrisedPlanner(si, "B
 
 std::unique_ptr<ParallelSearch> B4P::makeSearch(const SearchProblem& problem) {
   return std::make_unique<Search>(problem, parameters());
+}
+
+void B4P::shorten(ompl::geometric::PathGeometric& path, const ompl::base::PlannerTerminationCondition& ptc) {
+  if (!parameters().paper) takeShortcuts(path, parameters().shortcuts, ptc);
 }
 
 }  // namespace b4p

@@ -26,6 +26,8 @@ class B4P : public ParametrisedPlanner<B4PParameters> {
 
  protected:
   std::unique_ptr<ParallelSearch> makeSearch(const SearchProblem& problem) override;
+  void shorten(ompl::geometric::PathGeometric& path,
+               const ompl::base::PlannerTerminationCondition& ptc) override;
 };
 
 }  // namespace b4p

@@ -30,6 +30,8 @@ struct B4PParameters {
   unsigned repair_iterations =
       300;  ///< iterations of local replanning per colliding run before a repair fails, >= 1
 
+  unsigned shortcuts = 100;  ///< default: shortcuts tried on the path found, as far as time allows; 0: none
+
   /// Ablations, in both modes. relaxed: trees of different grasps are joined, not only those of equal ones.
   /// repair: a path that collides after Eq. 3 is repaired, not thrown away.
   bool relaxed = true, repair = true;
