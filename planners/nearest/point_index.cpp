@@ -109,6 +109,7 @@ class PointIndex::Query {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::size_t kCandidates = 16;
+  static constexpr std::size_t kScanned = 512;  ///< at once
   struct Candidate {
     float square;
     std::uint32_t number;
@@ -131,25 +132,23 @@ class PointIndex::Query {
   }
 
   void scan(const Leaf& leaf) {
-    const std::size_t count = leaf.count.load(std::memory_order_acquire);
-    const PointBlocks points{leaf.values.get(), count, index_.dimension_};
-    const std::size_t blocks = (count + kBlockPoints - 1) / kBlockPoints;
-    alignas(kAlign) float squares[kBlockPoints];
-    for (std::size_t block = 0;; ++block) {
-      block = firstBlockWithin(points, q_, limit_, block, squares);
-      if (block >= blocks) return;
-      const std::size_t first = block * kBlockPoints, there = std::min(kBlockPoints, count - first);
-      for (std::size_t i = 0; i < there; ++i)
-        if (!(squares[i] > limit_)) consider({squares[i], leaf.numbers[first + i]});
+    std::size_t count = leaf.count.load(std::memory_order_acquire);
+    while (count > 0 && leaf.numbers[count - 1] >= seen_) --count;
+    alignas(kAlign) float squares[kScanned];
+    for (std::size_t first = 0; first < count; first += kScanned) {
+      const std::size_t part = std::min(kScanned, count - first);
+      const float least = squaredDistances({&leaf.at(first, 0), part, index_.dimension_}, q_, squares);
+      if (least > limit_) continue;
+      if (least < least_) lower(least);
+      for (std::size_t i = 0; (i = firstWithin(squares, part, limit_, i)) < part; ++i)
+        consider({squares[i], leaf.numbers[first + i]});
     }
   }
 
   void consider(const Candidate& candidate) {
-    if (candidate.number >= seen_) return;
     if (candidates_ == kCandidates) keepWithinLimit();
     if (candidates_ == kCandidates) settle();
     candidate_[candidates_++] = candidate;
-    if (candidate.square < least_) lower(candidate.square);
   }
 
   // The largest squared distance that a point can have here, or a cell, if in truth it is no farther than one

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/nearest/point_scan.h"
 
+#include <algorithm>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -19,37 +20,31 @@ using V = hn::Vec<Lanes>;
 template <int kDimension>
 class Scan {
  public:
-  Scan(const PointBlocks& points, const float* q, float limit)
-      : points_(points), q_(q), limit_(hn::Set(d_, limit)) {
+  Scan(const PointBlocks& points, const float* q) : points_(points), q_(q) {
     for (int i = 0; i < kDimension; ++i) at_[i] = hn::Set(d_, q[i]);
   }
 
-  std::size_t run(std::size_t block, float* squares) const {
-    const std::size_t full = points_.count / kBlockPoints, rest = points_.count % kBlockPoints;
+  float run(float* squares) const {
+    const std::size_t whole_blocks = points_.count / kBlockPoints, rest = points_.count % kBlockPoints;
     const std::size_t floats = static_cast<std::size_t>(dimension()) * kBlockPoints;
-    const float* values = points_.values + block * floats;
-    for (; block < full; ++block, values += floats) {
-      V least = whole(values, 0);
-      for (std::size_t lane = width_; lane < kBlockPoints; lane += width_)
-        least = hn::Min(least, whole(values, lane));
-      if (hn::AllTrue(d_, hn::Gt(least, limit_))) continue;
-      for (std::size_t lane = 0; lane < kBlockPoints; lane += width_)
-        hn::StoreU(whole(values, lane), d_, squares + lane);
-      return block;
-    }
-    if (block > full || rest == 0) return block;
+    const float* values = points_.values;
     V least = hn::Set(d_, std::numeric_limits<float>::infinity());
-    for (std::size_t lane = 0; lane < rest; lane += width_) {
-      const V square = part(values, lane, rest - lane);
-      hn::StoreU(square, d_, squares + lane);
-      least = hn::Min(least, square);
-    }
-    return hn::AllTrue(d_, hn::Gt(least, limit_)) ? block + 1 : block;
+    for (std::size_t block = 0; block < whole_blocks; ++block, values += floats, squares += kBlockPoints)
+      for (std::size_t lane = 0; lane < kBlockPoints; lane += width_)
+        least = keep(whole(values, lane), squares + lane, least);
+    for (std::size_t lane = 0; rest > 0 && lane < kBlockPoints; lane += width_)
+      least = keep(part(values, lane, rest - std::min(rest, lane)), squares + lane, least);
+    return hn::GetLane(hn::MinOfLanes(d_, least));
   }
 
  private:
   int dimension() const { return kDimension > 0 ? kDimension : points_.dimension; }
   V at(int i) const { return kDimension > 0 ? at_[i] : hn::Set(d_, q_[i]); }
+
+  V keep(V square, float* to, V least) const {
+    hn::Store(square, d_, to);
+    return hn::Min(least, square);
+  }
 
   V whole(const float* values, std::size_t lane) const {
     V square = hn::Zero(d_);
@@ -77,24 +72,35 @@ class Scan {
   const std::size_t width_ = hn::Lanes(d_);
   const PointBlocks& points_;
   const float* q_;
-  const V limit_;
   V at_[kDimension > 0 ? kDimension : 1];
 };
 
-std::size_t firstBlockWithin(const PointBlocks& points, const float* q, float limit, std::size_t block,
-                             float* squares) {
+float squaredDistances(const PointBlocks& points, const float* q, float* squares) {
   switch (points.dimension) {
     case 2:
-      return Scan<2>(points, q, limit).run(block, squares);
+      return Scan<2>(points, q).run(squares);
     case 3:
-      return Scan<3>(points, q, limit).run(block, squares);
+      return Scan<3>(points, q).run(squares);
     case 6:
-      return Scan<6>(points, q, limit).run(block, squares);
+      return Scan<6>(points, q).run(squares);
     case 7:
-      return Scan<7>(points, q, limit).run(block, squares);
+      return Scan<7>(points, q).run(squares);
     default:
-      return Scan<0>(points, q, limit).run(block, squares);
+      return Scan<0>(points, q).run(squares);
   }
+}
+
+std::size_t firstWithin(const float* squares, std::size_t count, float limit, std::size_t index) {
+  const Lanes d;
+  const V most = hn::Set(d, limit);
+  const std::size_t width = hn::Lanes(d);
+  for (; index < count && index % width != 0; ++index)
+    if (!(squares[index] > limit)) return index;
+  for (; index < count; index += width) {
+    const auto found = hn::FindFirstTrue(d, hn::Le(hn::Load(d, squares + index), most));
+    if (found >= 0) return index + static_cast<std::size_t>(found);
+  }
+  return index;
 }
 
 const char* scanInstructionSet() { return hwy::TargetName(HWY_TARGET); }
@@ -105,12 +111,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace b4p {
 
-HWY_EXPORT(firstBlockWithin);
+HWY_EXPORT(squaredDistances);
+HWY_EXPORT(firstWithin);
 HWY_EXPORT(scanInstructionSet);
 
-std::size_t firstBlockWithin(const PointBlocks& points, const float* q, float limit, std::size_t block,
-                             float* squares) {
-  return HWY_DYNAMIC_DISPATCH(firstBlockWithin)(points, q, limit, block, squares);
+float squaredDistances(const PointBlocks& points, const float* q, float* squares) {
+  return HWY_DYNAMIC_DISPATCH(squaredDistances)(points, q, squares);
+}
+
+std::size_t firstWithin(const float* squares, std::size_t count, float limit, std::size_t index) {
+  return HWY_DYNAMIC_DISPATCH(firstWithin)(squares, count, limit, index);
 }
 
 const char* scanInstructionSet() { return HWY_DYNAMIC_DISPATCH(scanInstructionSet)(); }

@@ -5,7 +5,7 @@
 
 namespace b4p {
 
-/// Points that are looked at together.
+/// Points lie in blocks of this many.
 constexpr std::size_t kBlockPoints = 16;
 
 /// Points in R^dimension, in single precision: [block][coordinate][kBlockPoints], aligned to 64 bytes.
@@ -15,11 +15,13 @@ struct PointBlocks {
   int dimension;
 };
 
-/// The first block, from `block` on, with a point whose squared distance from q is not above `limit`;
-/// the number of blocks when there is none. `squares` receives the squared distances of its points. Points
-/// from `count` on may be written meanwhile: what is read of them has no effect.
-std::size_t firstBlockWithin(const PointBlocks& points, const float* q, float limit, std::size_t block,
-                             float* squares);
+/// Writes the squared distances of the points from q, and infinity up to the end of the last block; returns
+/// the least of them. Points from `count` on are not looked at: they may be written meanwhile.
+float squaredDistances(const PointBlocks& points, const float* q, float* squares);
+
+/// Index of the first, from `index` on, of the `count` squares (filled up to whole blocks) that is not above
+/// `limit`; when there is none, a number that is at least `count`.
+std::size_t firstWithin(const float* squares, std::size_t count, float limit, std::size_t index);
 
 /// Name of the instruction set in use, "AVX2" for example.
 const char* scanInstructionSet();
