@@ -178,6 +178,7 @@ TEST(PointIndex, AnswersWithWhatHasBeenAddedWhileOthersAdd) {
   for (std::size_t w = 0; w < kWriters; ++w)
     threads.emplace_back([&, w] {
       for (std::size_t i = 0; i < kEach; ++i) {
+        while (asked < i / 100) std::this_thread::yield();
         const Point& mine = points[w * kEach + i];
         index.add(mine.data(), &mine);
         added[w].store(i + 1);
@@ -189,15 +190,16 @@ TEST(PointIndex, AnswersWithWhatHasBeenAddedWhileOthersAdd) {
       Draw mine(7, static_cast<unsigned>(100 + r));
       const auto unfinished = [](const std::atomic<std::size_t>& count) { return count < kEach; };
       while (std::any_of(added.begin(), added.end(), unfinished)) {
-        const Point q = mine.around(mine.oneOf(points), 0.2);
+        // Memory that nobody has written to tends to be the origin, which is far from all points.
+        const Point q = mine.around(asked % 2 == 0 ? Point(7, 0.0) : mine.oneOf(points), 0.2);
         std::array<std::size_t, kWriters> before{};
         for (std::size_t w = 0; w < kWriters; ++w) before[w] = added[w];
         const auto* near = static_cast<const Point*>(index.nearest(q.data()));
+        ++asked;
         if (near == nullptr) {
           lost += before[0] + before[1] + before[2];
           continue;
         }
-        ++asked;
         const double square = squareBetween(*near, q);
         for (std::size_t w = 0; w < kWriters; ++w)
           for (std::size_t i = 0; i < before[w]; ++i)
@@ -210,7 +212,6 @@ TEST(PointIndex, AnswersWithWhatHasBeenAddedWhileOthersAdd) {
   EXPECT_EQ(lost, 0u);
   EXPECT_EQ(farther, 0u);
   EXPECT_EQ(early, 0u);
-  EXPECT_GT(asked, 0u);
   EXPECT_EQ(index.size(), points.size());
   for (const Point& point : points) ASSERT_EQ(index.nearest(point.data()), &point);
 }
