@@ -7,12 +7,24 @@
 
 #include <ompl/datastructures/NearestNeighborsGNAT.h>
 
+#include "planners/manipulation_state_space.h"
+
 namespace b4p {
 
 namespace ob = ompl::base;
 
-NodeIndex::NodeIndex(const StateDistance& distance, PublicationLog* log)
-    : distance_(distance), log_(log), nodes_(new ompl::NearestNeighborsGNAT<const Node*>) {
+namespace {
+
+const double* jointsOf(const ob::State* state) { return state->as<ManipulationStateSpace::StateType>()->q; }
+
+}  // namespace
+
+NodeIndex::NodeIndex(const StateDistance& distance, PublicationLog* log) : distance_(distance), log_(log) {
+  if (distance.joints() > 0 && distance.joints() <= PointIndex::kMostDimensions) {
+    points_ = std::make_unique<PointIndex>(distance.joints());
+    return;
+  }
+  nodes_ = std::make_unique<ompl::NearestNeighborsGNAT<const Node*>>();
   nodes_->setDistanceFunction(
       [distance](const Node* a, const Node* b) { return distance(a->state, b->state); });
 }
@@ -27,16 +39,22 @@ void NodeIndex::add(const Node* node) {
 }
 
 void NodeIndex::insert(const Node* node) {
+  if (points_) return points_->add(jointsOf(node->state), node);
   std::unique_lock<std::shared_mutex> lock(mutex_);
   nodes_->add(node);
 }
 
 const Node* NodeIndex::nearest(const ob::State* state) const {
-  const Node query{state, nullptr, nullptr};
-  std::shared_lock<std::shared_mutex> lock(mutex_);
-  const Node* near = nodes_->size() == 0 ? nullptr : nodes_->nearest(&query);
+  const Node* near = nearestShared(state);
   const bool more = log_ != nullptr && log_->recording() && step_ == log_->step();
   return more ? nearerOfThisStep(near, state) : near;
+}
+
+const Node* NodeIndex::nearestShared(const ob::State* state) const {
+  if (points_) return static_cast<const Node*>(points_->nearest(jointsOf(state)));
+  const Node query{state, nullptr, nullptr};
+  std::shared_lock<std::shared_mutex> lock(mutex_);
+  return nodes_->size() == 0 ? nullptr : nodes_->nearest(&query);
 }
 
 const Node* NodeIndex::nearerOfThisStep(const Node* shared, const ob::State* state) const {

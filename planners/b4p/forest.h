@@ -13,6 +13,8 @@
 #include <ompl/datastructures/NearestNeighbors.h>
 
 #include "planners/b4p/publication_log.h"
+#include "planners/nearest/point_index.h"
+#include "planners/nearest/state_distance.h"
 #include "planners/pick_place_region.h"
 
 namespace b4p {
@@ -43,10 +45,8 @@ struct Tree {
   std::atomic<unsigned> way_out{0};        ///< nodes on the longest of them
 };
 
-using StateDistance = std::function<double(const ompl::base::State*, const ompl::base::State*)>;
-
-/// Nearest neighbours among nodes. Any thread may add or ask. With a log, a step finds the nodes that it
-/// added itself before others do.
+/// Nearest neighbours among nodes. Any thread may add or ask; by the distance of joints, in a PointIndex,
+/// asking takes no lock. With a log, a step finds the nodes that it added itself before others do.
 class NodeIndex {
  public:
   explicit NodeIndex(const StateDistance& distance, PublicationLog* log = nullptr);
@@ -56,13 +56,15 @@ class NodeIndex {
 
  private:
   void insert(const Node* node);
+  const Node* nearestShared(const ompl::base::State* state) const;
   const Node* nearerOfThisStep(const Node* shared, const ompl::base::State* state) const;
 
   StateDistance distance_;
   PublicationLog* log_;
   std::vector<const Node*> unshared_;  ///< added by the step of this number, when there is a log
   std::uint64_t step_ = 0;
-  mutable std::shared_mutex mutex_;
+  std::unique_ptr<PointIndex> points_;  ///< nullptr: `nodes_` instead
+  mutable std::shared_mutex mutex_;     // guards what follows
   std::unique_ptr<ompl::NearestNeighbors<const Node*>> nodes_;
 };
 

@@ -22,11 +22,7 @@ void GraspAccess::set(ob::State* state, GraspId grasp) const {
 
 StateDistance GraspAccess::distance() const {
   const ob::StateSpace* space = si_->getStateSpace().get();
-  if (present_) {
-    const auto* manipulation = space->as<ManipulationStateSpace>();
-    return
-        [manipulation](const ob::State* a, const ob::State* b) { return manipulation->jointDistance(a, b); };
-  }
+  if (present_) return StateDistance::ofJoints(*space->as<ManipulationStateSpace>());
   return [space](const ob::State* a, const ob::State* b) { return space->distance(a, b); };
 }
 
