@@ -29,17 +29,6 @@ std::unique_ptr<PlanningProblem> makeSeededProblem(const Scene& scene, CheckerKi
   return problem;
 }
 
-/// The planner, which has to be made for the scene's kind of task.
-const PlannerKind& findFitting(const PlannerCatalogue& catalogue, const std::string& name, const Scene& scene,
-                               const std::string& where) {
-  const PlannerKind& kind = catalogue.find(name, where);
-  if (kind.tasks.count(scene.kind()) == 0)
-    throw InputError(where, "",
-                     "'" + name + "' is no planner for a task of " + nameOf(scene.kind()) + " such as '" +
-                         scene.name + "'; there are: " + catalogue.namesFor(scene.kind()));
-  return kind;
-}
-
 }  // namespace
 
 Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCatalogue& catalogue,

@@ -93,7 +93,9 @@ void addBenchCommand(CLI::App& app, Run& run) {
       ->add_option("--threads", options->threads,
                    "Thread counts, as 1,2,4, of planners that do not state their own [the file's threads]")
       ->delimiter(',');
-  command->add_option("--scenes", options->scenes, "Some of the file's scenes, as maze,grocery [all]")
+  command
+      ->add_option("--scenes", options->scenes,
+                   "Some of the file's scenes, as maze,grocery or placement/*_wine_glass [all]")
       ->delimiter(',');
   command->add_option("--checker", options->checker,
                       "Collision checker of all planners, fast or fcl [the file's checker, or fast]");

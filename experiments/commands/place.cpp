@@ -33,8 +33,8 @@ struct Options {
 PlacementQuerySettings settingsFrom(const Options& options, const Scene& scene) {
   PlacementQuerySettings settings;
   if (!options.objective.empty()) settings.objective = clearanceGoal(options.objective, kWhere);
-  settings.options.sampling = placementSampling(options.sampling, kWhere);
   settings.parameters = keyValues(options.parameters, kWhere);
+  settings.options.sampling = placementSampling(options.sampling, kWhere);
   settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
   settings.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;
   requireTimeLimit(settings.time_limit_s, kWhere, "--time-limit-s");
@@ -67,14 +67,14 @@ int place(const Options& options) {
 
   catchInterrupts();
   PlacementResult result = [&] {
-    const ProgressLine progress = planningProgress(query.planner(), settings.time_limit_s);
+    const ProgressLine progress = planningProgress(*query.planner(), settings.time_limit_s);
     return query.solve();
   }();
   verifyImprovements(scene, result);
   writePlacementResult(options.out, result);
   report(result, options.out);
-  if (!query.planner().lastError().empty()) {
-    std::cerr << "b4p: placing ended by an exception: " << query.planner().lastError() << std::endl;
+  if (!query.planner()->crash().empty()) {
+    std::cerr << "b4p: placing ended by an exception: " << query.planner()->crash() << std::endl;
     return kInternalError;
   }
   if (result.solved()) return result.verified() ? kSolved : kNotVerified;
@@ -95,7 +95,9 @@ void addPlaceCommand(CLI::App& app, Run& run) {
       ->add_option("--sampling", options->sampling,
                    "How placements are drawn: tree (Monte Carlo tree search), children or area (uniform)")
       ->capture_default_str();
-  command->add_option("--param", options->parameters, "KEY=VALUE: a parameter of the planner; repeatable")
+  command
+      ->add_option("--param", options->parameters,
+                   "KEY=VALUE: a parameter of the planner `placement`, see `b4p list`; repeatable")
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Seed; it determines the placements but for their times")
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/checker_choice.h"
+#include "experiments/placement/clearance_objective.h"
 #include "experiments/planners.h"
 #include "experiments/run_limits.h"
 #include "experiments/scene.h"
@@ -40,7 +41,8 @@ struct Experiment {
   std::optional<double> check_cost_us = {};
   std::map<std::string, std::uint64_t> check_limits = {};  ///< of each run, by scene as listed
   std::uint64_t seed = 1;
-  std::vector<std::string> scenes;  ///< as loadScene() takes them
+  std::vector<std::string> scenes;             ///< as loadScene() takes them
+  std::vector<ClearanceGoal> objectives = {};  ///< of placement scenes, in place of their own; empty: theirs
   std::vector<Contender> contenders;
   std::vector<unsigned> left_out_threads = {};  ///< asked for by the file, but more than there are cores
 
@@ -57,7 +59,7 @@ struct ExperimentOverrides {
   std::vector<unsigned> threads;  ///< of planners that do not state their own; empty: the file's
   std::optional<double> time_limit_s;
   std::optional<CheckerKind> checker;  ///< of all planners
-  std::vector<std::string> scenes;     ///< some of the file's, empty: all
+  std::vector<std::string> scenes;     ///< some of the file's, as names or patterns; empty: all
 };
 
 /// @throws InputError naming file, key and value

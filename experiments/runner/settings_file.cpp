@@ -30,11 +30,14 @@ std::string contentOf(const std::string& file) {
   return text.str();
 }
 
-/// All that is read for a scene but its robot.
+/// All that is read for a scene but its robot, that of single arms included.
 std::string sceneContent(const Scene& scene) {
   std::string content = contentOf(scene.file);
   if (const auto* reach = std::get_if<ReachTask>(&scene.task); reach && !reach->grasp_file.empty())
     content += contentOf(reach->grasp_file);
+  if (const auto* placing = std::get_if<PlacementTask>(&scene.task))
+    for (const PlacementArm& arm : placing->arms)
+      if (arm.robot_file != scene.robot.file) content += contentOf(arm.robot_file) + contentOf(arm.urdf_file);
   return content;
 }
 
