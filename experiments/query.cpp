@@ -51,7 +51,8 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
   };
   planner_ = std::make_shared<DeadlinePlanner>(
       makePlanner(kind, settings.parameters, settings.threads, problem_->si, where),
-      RunLimits{settings.time_limit_s, settings.check_limit, settings.stop}, prepare, finish, checked);
+      RunLimits{settings.time_limit_s, settings.check_limit, settings.stop, settings.clock}, prepare, finish,
+      checked);
   problem_->setup->setPlanner(planner_);
 }
 

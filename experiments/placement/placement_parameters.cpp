@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "experiments/placement/named_values.h"
+#include "experiments/named_values.h"
 #include "planners/placement/placement_planner.h"
 
 namespace b4p {

@@ -9,7 +9,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "experiments/placement/named_values.h"
+#include "experiments/named_values.h"
 #include "experiments/problem.h"
 #include "experiments/query.h"
 #include "planners/processor_time.h"
@@ -60,7 +60,7 @@ PlacementQuery::PlacementQuery(const Scene& scene, const std::string& scene_name
   };
   planner_ = std::make_shared<DeadlinePlanner>(
       makePlanner(placementPlannerKind(options_), settings.parameters, settings.threads, problem_.si, where),
-      RunLimits{settings.time_limit_s}, prepare, nullptr);
+      RunLimits{settings.time_limit_s, {}, StopRule::kEither, settings.clock}, prepare, nullptr);
   problem_.setup->setPlanner(planner_);
   problem_.pdef->setIntermediateSolutionCallback([this](const ob::Planner*,
                                                         const std::vector<const ob::State*>& states,
@@ -73,8 +73,10 @@ void PlacementQuery::check(const PlacementQuerySettings& settings, const std::st
 
 void PlacementQuery::keep(const std::vector<const ob::State*>& states, ob::Cost cost) {
   PlacementImprovement& improvement = improvements_.emplace_back();
-  improvement.time_s = std::chrono::duration<double>(Clock::now() - start_).count();
   improvement.cpu_s = processTime_s() - cpu_start_s_;
+  improvement.time_s = settings_.clock == RunClock::kProcessor
+                           ? improvement.cpu_s
+                           : std::chrono::duration<double>(Clock::now() - start_).count();
   improvement.objective_m = cost.value();
   improvement.arm = states.back()->as<StateType>()->grasp;
   for (const ob::State* state : states) {

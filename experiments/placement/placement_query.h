@@ -23,7 +23,8 @@ struct PlacementQuerySettings {
   PlannerParameters parameters;  ///< of the planner `placement`; over `options`
   unsigned threads = 1;
   std::uint64_t seed = 1;
-  double time_limit_s = 0.0;  ///< > 0
+  double time_limit_s = 0.0;            ///< > 0
+  RunClock clock = RunClock::kElapsed;  ///< of the time limit and of all times in the result
 };
 
 /// One run of the planner `placement` on a scene. The time limit covers all that happens after construction.

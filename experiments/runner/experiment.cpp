@@ -4,11 +4,13 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <thread>
 
+#include "experiments/named_values.h"
 #include "experiments/placement/placement_query.h"
 #include "experiments/scene_files/data_files.h"
 #include "experiments/scene_files/yaml_value.h"
@@ -22,6 +24,9 @@ constexpr int kMostThreads = 64;
 constexpr double kMostChecks = 1e15;
 constexpr double kLargestCheckCost_us = 1e6;
 constexpr double kMicrosecond_s = 1e-6;
+
+constexpr std::array<Named<RunClock>, 2> kClocks{
+    {{RunClock::kElapsed, "elapsed"}, {RunClock::kProcessor, "processor"}}};
 
 std::string sceneFor(const YamlValue& place, const std::string& scene) {
   if (!isPath(scene)) return scene;
@@ -186,6 +191,8 @@ void readLimits(const YamlValue& document, Experiment& experiment) {
   } else if (checks) {
     for (const std::string& scene : experiment.scenes) experiment.check_limits[scene] = checksFrom(*checks);
   }
+  if (const auto clock = document.find("clock"))
+    experiment.clock = runClock(clock->text(), document.file(), "clock");
   if (!stop) return;
   if (!checks && !cost) stop->fail("needs a check_limit or check_cost_us beside the time limit");
   if (stop->isWord("both"))
@@ -227,6 +234,7 @@ RunLimits Experiment::limitsFor(const Contender& contender, const std::string& g
   RunLimits limits;
   limits.time_s = time_limit_s.value_or(scene.budget_s);
   limits.stop = stop;
+  limits.clock = clock;
   if (const auto own = check_limits.find(given); own != check_limits.end()) limits.checks = own->second;
   if (check_cost_us) {
     const double checks = limits.time_s * contender.threads / (kMicrosecond_s * *check_cost_us);
@@ -235,12 +243,18 @@ RunLimits Experiment::limitsFor(const Contender& contender, const std::string& g
   return limits;
 }
 
+RunClock runClock(const std::string& name, const std::string& where, const std::string& element) {
+  return valueOf(kClocks, name, where, element);
+}
+
+std::string nameOf(RunClock clock) { return nameIn(kClocks, clock); }
+
 Experiment loadExperiment(const std::string& file, const ExperimentOverrides& overrides) {
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSchema);
-  document.allowKeys({"schema", "name", "runs", "time_limit_s", "check_limit", "check_cost_us", "stop",
-                      "threads", "skip_threads_beyond_cores", "seed", "checker", "scenes", "objectives",
-                      "planners"});
+  document.allowKeys({"schema", "name", "runs", "time_limit_s", "clock", "check_limit", "check_cost_us",
+                      "stop", "threads", "skip_threads_beyond_cores", "seed", "checker", "scenes",
+                      "objectives", "planners"});
   Experiment experiment;
   experiment.file = file;
   experiment.name = document["name"].word();
@@ -264,6 +278,7 @@ Experiment loadExperiment(const std::string& file, const ExperimentOverrides& ov
 
   experiment.seed = overrides.seed.value_or(experiment.seed);
   if (overrides.time_limit_s) experiment.time_limit_s = overrides.time_limit_s;
+  experiment.clock = overrides.clock.value_or(experiment.clock);
   if (overrides.runs) {
     experiment.runs = *overrides.runs;
     for (Contender& contender : experiment.contenders) contender.runs = 0;

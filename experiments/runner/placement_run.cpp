@@ -18,6 +18,7 @@ PlacementQuerySettings placementSettings(const QuerySettings& settings) {
   placing.threads = settings.threads;
   placing.seed = settings.seed;
   placing.time_limit_s = settings.time_limit_s;
+  placing.clock = settings.clock;
   return placing;
 }
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "experiments/json_value.h"
+#include "experiments/runner/experiment.h"
 
 namespace b4p {
 namespace {
@@ -80,6 +81,7 @@ RunLimits readLimits(const JsonValue& root) {
   limits.time_s = root["time_limit_s"].number();
   if (!root["check_limit"].isNull()) limits.checks = root["check_limit"].integer<std::uint64_t>();
   limits.stop = readStop(root["stop"]);
+  if (root.has("clock")) limits.clock = runClock(root["clock"].text(), root.file(), "clock");
   return limits;
 }
 
@@ -112,6 +114,7 @@ std::string recordLine(const RunRecord& record) {
                    {"edge_checks", record.edge_checks},
                    {"build", Json(record.build)},
                    {"ompl", toJson(record.ompl)}};
+  if (limits.clock != RunClock::kElapsed) document["clock"] = nameOf(limits.clock);
   if (record.placement) document["placement"] = toJson(*record.placement);
   return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -126,7 +129,7 @@ RunRecord recordFrom(const std::string& line, const std::string& where) {
        "time_limit_s", "check_limit", "stop",     "status", "solved",  "verified", "verification_failure",
        "crashed",      "crash",       "grasp_id", "time_s", "cpu_s",   "wall_s",   "checks",
        "edge_checks",  "build",       "ompl"},
-      {"checker", "placement"});
+      {"checker", "clock", "placement"});
   RunRecord record;
   record.scene = root["scene"].text();
   record.label = root["label"].text();

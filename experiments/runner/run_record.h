@@ -55,7 +55,8 @@ struct RunRecord {
   std::string crash;  ///< why
   int grasp_id = -1;  ///< of tasks of placement the arm
 
-  /// From the start of planning to its end, which is the path where solved, or the first placement.
+  /// From the start of planning to its end, which is the path where solved, or the first placement; by the
+  /// limits' clock.
   double time_s = 0.0;
   double cpu_s = 0.0;        ///< processor time of all threads meanwhile
   double wall_s = 0.0;       ///< what the run took in all, loading and verification included
