@@ -13,6 +13,7 @@
 #include "experiments/placement/placement_query.h"
 #include "experiments/query.h"
 #include "experiments/scene_files/data_files.h"
+#include "robots/input_error.h"
 
 namespace b4p {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kWhere = "b4p place";
 struct Options {
   std::string scene;
   std::string objective;
-  std::string sampling = "tree";
+  std::string sampling;
   std::vector<std::string> parameters;
   std::string seed = "1";
   double time_limit_s = 0.0;
@@ -34,7 +35,11 @@ PlacementQuerySettings settingsFrom(const Options& options, const Scene& scene) 
   PlacementQuerySettings settings;
   if (!options.objective.empty()) settings.objective = clearanceGoal(options.objective, kWhere);
   settings.parameters = keyValues(options.parameters, kWhere);
-  settings.options.sampling = placementSampling(options.sampling, kWhere);
+  if (!options.sampling.empty()) {
+    settings.options.sampling = placementSampling(options.sampling, kWhere);
+    if (settings.parameters.count("sampling") > 0)
+      throw InputError(kWhere, "--sampling", "is given by --param as well");
+  }
   settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
   settings.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;
   requireTimeLimit(settings.time_limit_s, kWhere, "--time-limit-s");
@@ -91,10 +96,9 @@ void addPlaceCommand(CLI::App& app, Run& run) {
       ->required();
   command->add_option("--objective", options->objective,
                       "max_clearance or min_clearance [the scene's objective]");
-  command
-      ->add_option("--sampling", options->sampling,
-                   "How placements are drawn: tree (Monte Carlo tree search), children or area (uniform)")
-      ->capture_default_str();
+  command->add_option(
+      "--sampling", options->sampling,
+      "How placements are drawn: tree (Monte Carlo tree search), children or area (uniform) [tree]");
   command
       ->add_option("--param", options->parameters,
                    "KEY=VALUE: a parameter of the planner `placement`, see `b4p list`; repeatable")
