@@ -127,12 +127,13 @@ def _seconds(value: float, limit_s: float) -> str:
 def _row(task: Task, label: str, reference: str) -> str:
     runs = task.variants[label]
     areas = _per_object(runs, lambda run: run.mean(task.limit_s))
-    low, high = mean_interval(areas)
+    interval = mean_interval(areas)
+    spread = f"{interval[0]:.3f} ... {interval[1]:.3f}" if interval else "-"
     nearly = [run.time_to(NEARLY_BEST) for run in runs]
     ratio = median_ratio(nearly, [run.time_to(NEARLY_BEST) for run in task.variants[reference]])
     ends = [run.values[-1] if run.values else 0.0 for run in runs]
     return (
-        f"| {label} | {len(runs)} | {np.mean(np.concatenate(areas)):.3f} ({low:.3f} ... {high:.3f}) "
+        f"| {label} | {len(runs)} | {np.mean(np.concatenate(areas)):.3f} ({spread}) "
         f"| {np.mean(ends):.3f} | {_seconds(quantile([run.first_s for run in runs], 0.5), task.limit_s)} "
         f"| {_seconds(quantile(nearly, 0.5), task.limit_s)} | {sum(map(isfinite, nearly))} of {len(runs)} "
         f"| {f'{ratio[0]:.2f} ({ratio[1][0]:.2f} ... {ratio[1][1]:.2f})' if ratio else '-'} |\n"
