@@ -31,7 +31,7 @@ class DeadlinePlanner : public ompl::base::Planner {
   void clear() override;
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
-  /// How long the last solve() took (s).
+  /// How long the last solve() took (s), by the limits' clock.
   double elapsed_s() const { return elapsed_s_; }
   /// Processor time that the whole process used meanwhile (s): of all threads, and of nobody else.
   double cpu_s() const { return cpu_s_; }

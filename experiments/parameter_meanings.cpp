@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/planners.h"
 #include "planners/parallel_planner.h"
+#include "planners/placement/placement_planner.h"
 #include "planners/placement/redirectable_rrt_connect.h"
 #include "planners/reach/reach_planner.h"
 
@@ -45,6 +46,26 @@ const Meanings kOfReachPlanners{
     {"goal_bias", "share of the iterations that grow to goal configurations"},
     {"ik_probability", "share of the iterations that look for a further goal configuration"}};
 
+const Meanings kOfPlacementPlanner{
+    {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
+    {"slice", "of one arm before the next has its turn (iterations)"},
+    {"iterations", "of motion planning between two drawings of placements, all arms together (count)"},
+    {"draws", "placements drawn at most until one is valid (count)"},
+    {"local", "1: placements that have been reached are improved locally"},
+    {"local_step", "of the joints while improving (rad)"},
+    {"local_steps", "while improving, at most (count)"},
+    {"sampling", "tree search over arm, face and region, or a child drawn at each level, or all cells alike"},
+    {"reward", "of a draw: staged by the tests passed, or a quarter for each constraint as printed (Eq. 3)"},
+    {"exploration", "c of UCB1"},
+    {"stage", "reward of a draw that fails at the arm's collisions alone"},
+    {"discount", "factor on what has been learnt when the best objective rises"},
+    {"ik_attempts", "random seeds of inverse kinematics per answer (count)"},
+    {"postures", "answers of inverse kinematics tried per placement (count)"},
+    {"pose_first", "1: the object's pose is tested before inverse kinematics; 0: the authors' order"},
+    {"hand_first", "1: the hand alone is tested before inverse kinematics"},
+    {"prune", "1: branches whose bound is below the best objective are closed"},
+    {"take_back", "1: rewards that the best objective has overtaken are taken back"}};
+
 std::string lookedUp(const Meanings& meanings, const std::string& name) {
   const auto found = meanings.find(name);
   return found == meanings.end() ? "" : found->second;
@@ -56,6 +77,7 @@ std::string parameterMeaning(const ompl::base::Planner& planner, const std::stri
   if (dynamic_cast<const ParallelPlanner*>(&planner) != nullptr ||
       dynamic_cast<const RedirectableRRTConnect*>(&planner) != nullptr)
     return lookedUp(kOfParallelPlanners, name);
+  if (dynamic_cast<const PlacementPlanner*>(&planner) != nullptr) return lookedUp(kOfPlacementPlanner, name);
   if (dynamic_cast<const ReachPlanner*>(&planner) != nullptr) return lookedUp(kOfReachPlanners, name);
   return "";
 }

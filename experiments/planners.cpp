@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include <ompl/base/GenericParam.h>
@@ -11,6 +12,7 @@
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Exception.h>
 
+#include "experiments/placement/placement_parameters.h"
 #include "planners/b4p/b4p_planner.h"
 #include "planners/baselines/rrt_individual.h"
 #include "planners/baselines/rrt_restart.h"
@@ -48,19 +50,30 @@ ob::PlannerPtr make(const ob::SpaceInformationPtr& si) {
   return std::make_shared<Planner>(si);
 }
 
-/// Whether the planner takes the value and holds it afterwards. OMPL's own parsing takes "12abc" for 12 and
-/// "-1" for a very large unsigned number; reading the value back (with the six digits that OMPL writes) finds
-/// both.
-bool set(ob::ParamSet& parameters, const std::string& name, const std::string& value) {
-  constexpr double kDigitsKept = 1e-5;
-  const std::string number = value == "true" ? "1" : value == "false" ? "0" : value;
+/// The number that a whole text is; none for a word.
+std::optional<double> numberIn(const std::string& text) {
   try {
     std::size_t used = 0;
-    const double wanted = std::stod(number, &used);
-    if (used != number.size() || !std::isfinite(wanted) || !parameters.setParam(name, number)) return false;
+    const double number = std::stod(text, &used);
+    if (used == text.size()) return number;
+  } catch (const std::exception&) {
+  }
+  return std::nullopt;
+}
+
+/// Whether the planner takes the value and holds it afterwards. OMPL's own parsing takes "12abc" for 12 and
+/// "-1" for a very large unsigned number; reading the value back (numbers with the six digits that OMPL
+/// writes) finds both.
+bool set(ob::ParamSet& parameters, const std::string& name, const std::string& value) {
+  constexpr double kDigitsKept = 1e-5;
+  const std::string given = value == "true" ? "1" : value == "false" ? "0" : value;
+  const std::optional<double> wanted = numberIn(given);
+  if (wanted && !std::isfinite(*wanted)) return false;
+  try {
     std::string held;
-    return parameters.getParam(name, held) &&
-           std::abs(std::stod(held) - wanted) <= kDigitsKept * std::abs(wanted);
+    if (!parameters.setParam(name, given) || !parameters.getParam(name, held)) return false;
+    const std::optional<double> number = numberIn(held);
+    return wanted && number ? std::abs(*number - *wanted) <= kDigitsKept * std::abs(*wanted) : held == given;
   } catch (const std::exception&) {
     return false;
   }
@@ -112,7 +125,18 @@ PlannerCatalogue PlannerCatalogue::standard() {
   add_reaching("rrt", "OMPL's RRT, goals by inverse kinematics", make<og::RRT>);
   add_reaching("rrtstar", "OMPL's RRTstar, goals by inverse kinematics, until its first exact path",
                make<og::RRTstar>);
+  catalogue.add(placementPlannerKind(std::make_shared<PlacementOptions>()));
   return catalogue;
+}
+
+const PlannerKind& findFitting(const PlannerCatalogue& catalogue, const std::string& name, const Scene& scene,
+                               const std::string& where) {
+  const PlannerKind& kind = catalogue.find(name, where);
+  if (kind.tasks.count(scene.kind()) == 0)
+    throw InputError(where, "",
+                     "'" + name + "' is no planner for a task of " + nameOf(scene.kind()) + " such as '" +
+                         scene.name + "'; there are: " + catalogue.namesFor(scene.kind()));
+  return kind;
 }
 
 const PlannerKind& PlannerCatalogue::find(const std::string& name, const std::string& where) const {

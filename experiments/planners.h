@@ -30,7 +30,7 @@ using PlannerParameters = std::map<std::string, std::string>;
 class PlannerCatalogue {
  public:
   /// b4p, b4p-paper, rrt-individual, rrt-shared, rrt-restart, redirectable-rrtconnect, rrtconnect; for
-  /// reaching b4p, rrtconnect, jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar.
+  /// reaching b4p, rrtconnect, jplus-rrt, ik-rrt, bik-rrt, rrt, rrtstar; for placement placement.
   static PlannerCatalogue standard();
 
   void add(PlannerKind kind) { kinds_.push_back(std::move(kind)); }
@@ -46,6 +46,11 @@ class PlannerCatalogue {
  private:
   std::vector<PlannerKind> kinds_;
 };
+
+/// The planner of that name, which has to be made for the scene's kind of task.
+/// @throws InputError otherwise
+const PlannerKind& findFitting(const PlannerCatalogue& catalogue, const std::string& name, const Scene& scene,
+                               const std::string& where);
 
 /// What a parameter of one of this package's planners means, with its unit; "" for those of others.
 std::string parameterMeaning(const ompl::base::Planner& planner, const std::string& name);

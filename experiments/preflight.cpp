@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/floating_body.h"
+#include "experiments/placement/placement_problem.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -78,7 +79,12 @@ void requireReachableRegion(const Problem& problem, SceneRegionContext& context,
 
 }  // namespace
 
-void preflight(const Scene& scene) { makePlanningProblem(scene)->requireSolvable(); }
+void preflight(const Scene& scene) {
+  if (scene.kind() == TaskKind::kPlacement)
+    makePlacementProblem(scene);
+  else
+    makePlanningProblem(scene)->requireSolvable();
+}
 
 void requirePickAndPlaceSolvable(const Problem& problem) {
   requireObjectClear(problem);

@@ -29,17 +29,6 @@ std::unique_ptr<PlanningProblem> makeSeededProblem(const Scene& scene, CheckerKi
   return problem;
 }
 
-/// The planner, which has to be made for the scene's kind of task.
-const PlannerKind& findFitting(const PlannerCatalogue& catalogue, const std::string& name, const Scene& scene,
-                               const std::string& where) {
-  const PlannerKind& kind = catalogue.find(name, where);
-  if (kind.tasks.count(scene.kind()) == 0)
-    throw InputError(where, "",
-                     "'" + name + "' is no planner for a task of " + nameOf(scene.kind()) + " such as '" +
-                         scene.name + "'; there are: " + catalogue.namesFor(scene.kind()));
-  return kind;
-}
-
 }  // namespace
 
 Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCatalogue& catalogue,
@@ -62,7 +51,8 @@ Query::Query(const Scene& scene, const std::string& scene_name, const PlannerCat
   };
   planner_ = std::make_shared<DeadlinePlanner>(
       makePlanner(kind, settings.parameters, settings.threads, problem_->si, where),
-      RunLimits{settings.time_limit_s, settings.check_limit, settings.stop}, prepare, finish, checked);
+      RunLimits{settings.time_limit_s, settings.check_limit, settings.stop, settings.clock}, prepare, finish,
+      checked);
   problem_->setup->setPlanner(planner_);
 }
 

@@ -26,6 +26,7 @@ struct QuerySettings {
   double time_limit_s = 0.0;                      ///< > 0
   std::optional<std::uint64_t> check_limit = {};  ///< configurations checked (see RunLimits), none: no limit
   StopRule stop = StopRule::kEither;              ///< where there is a check limit
+  RunClock clock = RunClock::kElapsed;            ///< of the time limit and of planning_time_s
 };
 
 /// One run of one planner on one scene. The time limit covers all that happens after construction: the

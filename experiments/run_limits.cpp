@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "planners/processor_time.h"
+
 namespace b4p {
 namespace {
 
@@ -22,16 +24,20 @@ double RunLimits::longest_s() const {
 LimitWatch::LimitWatch(const RunLimits& limits, std::function<std::uint64_t()> checks)
     : limits_(limits),
       checks_(std::move(checks)),
-      start_(Clock::now()),
+      start_(now()),
       end_(start_ + seconds(limits.time_s)),
       longest_(start_ + seconds(limits.longest_s())) {}
 
 bool LimitWatch::reached() {
-  const auto now = Clock::now();
-  const bool time_used_up = now >= end_;
+  const auto time = now();
+  const bool time_used_up = time >= end_;
   if (!limits_.checks || !checks_) return time_used_up;
-  if (limits_.stop == StopRule::kEither) return time_used_up || checksUsedUp(now);
-  return time_used_up && (now >= longest_ || checksUsedUp(now));
+  if (limits_.stop == StopRule::kEither) return time_used_up || checksUsedUp(time);
+  return time_used_up && (time >= longest_ || checksUsedUp(time));
+}
+
+LimitWatch::Clock::time_point LimitWatch::now() const {
+  return limits_.clock == RunClock::kProcessor ? Clock::time_point(seconds(processTime_s())) : Clock::now();
 }
 
 bool LimitWatch::checksUsedUp(Clock::time_point now) {

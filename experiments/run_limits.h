@@ -15,11 +15,18 @@ enum class StopRule {
   kBoth,    ///< the one that is reached last, so that one run tells what is solved under each of them
 };
 
+/// What times of a run are read from.
+enum class RunClock {
+  kElapsed,
+  kProcessor,  ///< processor time of the process, all threads together: hardly disturbed by other programs
+};
+
 /// How long a run may go on.
 struct RunLimits {
   double time_s = 0.0;                       ///< > 0
   std::optional<std::uint64_t> checks = {};  ///< configurations checked for the planner; none: no limit
   StopRule stop = StopRule::kEither;         ///< matters where both are limited
+  RunClock clock = RunClock::kElapsed;
 
   /// The time (s) after which a run ends whatever it has done. Under kBoth a planner that hardly checks
   /// anything would never use up its checks; it gets a few times its time.
@@ -37,9 +44,11 @@ class LimitWatch {
   LimitWatch(const RunLimits& limits, std::function<std::uint64_t()> checks);
 
   bool reached();
-  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// By the limits' clock.
+  double elapsed_s() const { return std::chrono::duration<double>(now() - start_).count(); }
 
  private:
+  Clock::time_point now() const;
   bool checksUsedUp(Clock::time_point now);
 
   RunLimits limits_;

@@ -22,7 +22,7 @@ struct Options {
   std::string runs, seed;            ///< empty: as the experiment's file says
   std::vector<std::string> threads;  ///< likewise
   std::vector<std::string> scenes;   ///< empty: all
-  std::string checker;               ///< empty: as the experiment's file says
+  std::string clock, checker;        ///< empty: as the experiment's file says
   double time_limit_s = 0.0;
   bool has_time_limit = false;
   bool overwrite = false;
@@ -41,6 +41,7 @@ ExperimentOverrides overridesFrom(const Options& options) {
     overrides.threads.push_back(count);
   }
   overrides.scenes = options.scenes;
+  if (!options.clock.empty()) overrides.clock = runClock(options.clock, kWhere, "--clock");
   if (!options.checker.empty()) overrides.checker = checkerNamed(options.checker, kWhere, "--checker");
   if (options.has_time_limit) {
     requireTimeLimit(options.time_limit_s, kWhere, "--time-limit-s");
@@ -93,12 +94,18 @@ void addBenchCommand(CLI::App& app, Run& run) {
       ->add_option("--threads", options->threads,
                    "Thread counts, as 1,2,4, of planners that do not state their own [the file's threads]")
       ->delimiter(',');
-  command->add_option("--scenes", options->scenes, "Some of the file's scenes, as maze,grocery [all]")
+  command
+      ->add_option("--scenes", options->scenes,
+                   "Some of the file's scenes, as maze,grocery or placement/*_wine_glass [all]")
       ->delimiter(',');
   command->add_option("--checker", options->checker,
                       "Collision checker of all planners, fast or fcl [the file's checker, or fast]");
   CLI::Option* limit = command->add_option("--time-limit-s", options->time_limit_s,
                                            "Time limit of a run in seconds [the file's time_limit_s]");
+  command->add_option(
+      "--clock", options->clock,
+      "What times and time limits are read from: elapsed, or processor, for machines that have "
+      "other work to do [the file's clock, or elapsed]");
   command->add_flag(
       "--overwrite", options->overwrite,
       "Remove *.log, results/*.json, runs.jsonl and experiment.json that the folder holds already");

@@ -13,6 +13,7 @@
 #include "experiments/placement/placement_query.h"
 #include "experiments/query.h"
 #include "experiments/scene_files/data_files.h"
+#include "robots/input_error.h"
 
 namespace b4p {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kWhere = "b4p place";
 struct Options {
   std::string scene;
   std::string objective;
-  std::string sampling = "tree";
+  std::string sampling;
   std::vector<std::string> parameters;
   std::string seed = "1";
   double time_limit_s = 0.0;
@@ -33,8 +34,12 @@ struct Options {
 PlacementQuerySettings settingsFrom(const Options& options, const Scene& scene) {
   PlacementQuerySettings settings;
   if (!options.objective.empty()) settings.objective = clearanceGoal(options.objective, kWhere);
-  settings.options.sampling = placementSampling(options.sampling, kWhere);
   settings.parameters = keyValues(options.parameters, kWhere);
+  if (!options.sampling.empty()) {
+    settings.options.sampling = placementSampling(options.sampling, kWhere);
+    if (settings.parameters.count("sampling") > 0)
+      throw InputError(kWhere, "--sampling", "is given by --param as well");
+  }
   settings.seed = wholeNumber(options.seed, 0, kLargestSeed, kWhere, "--seed");
   settings.time_limit_s = options.has_time_limit ? options.time_limit_s : scene.budget_s;
   requireTimeLimit(settings.time_limit_s, kWhere, "--time-limit-s");
@@ -67,14 +72,14 @@ int place(const Options& options) {
 
   catchInterrupts();
   PlacementResult result = [&] {
-    const ProgressLine progress = planningProgress(query.planner(), settings.time_limit_s);
+    const ProgressLine progress = planningProgress(*query.planner(), settings.time_limit_s);
     return query.solve();
   }();
   verifyImprovements(scene, result);
   writePlacementResult(options.out, result);
   report(result, options.out);
-  if (!query.planner().lastError().empty()) {
-    std::cerr << "b4p: placing ended by an exception: " << query.planner().lastError() << std::endl;
+  if (!query.planner()->crash().empty()) {
+    std::cerr << "b4p: placing ended by an exception: " << query.planner()->crash() << std::endl;
     return kInternalError;
   }
   if (result.solved()) return result.verified() ? kSolved : kNotVerified;
@@ -91,11 +96,12 @@ void addPlaceCommand(CLI::App& app, Run& run) {
       ->required();
   command->add_option("--objective", options->objective,
                       "max_clearance or min_clearance [the scene's objective]");
+  command->add_option(
+      "--sampling", options->sampling,
+      "How placements are drawn: tree (Monte Carlo tree search), children or area (uniform) [tree]");
   command
-      ->add_option("--sampling", options->sampling,
-                   "How placements are drawn: tree (Monte Carlo tree search), children or area (uniform)")
-      ->capture_default_str();
-  command->add_option("--param", options->parameters, "KEY=VALUE: a parameter of the planner; repeatable")
+      ->add_option("--param", options->parameters,
+                   "KEY=VALUE: a parameter of the planner `placement`, see `b4p list`; repeatable")
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Seed; it determines the placements but for their times")
       ->capture_default_str();

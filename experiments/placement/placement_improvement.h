@@ -18,6 +18,7 @@ struct PlacementVerification : Verification {
 /// A motion to a placement better than those before.
 struct PlacementImprovement {
   double time_s = 0.0;  ///< since planning began
+  double cpu_s = 0.0;   ///< processor time of the process since then
   double objective_m = 0.0;
   int arm = -1;                                            ///< number in the scene's list
   std::vector<std::vector<double>> path;                   ///< way-points, one value per joint (rad or m)

@@ -2,15 +2,17 @@
 #include "experiments/placement/placement_query.h"
 
 #include <array>
-#include <chrono>
 #include <utility>
 
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "experiments/interrupt.h"
+#include "experiments/named_values.h"
 #include "experiments/problem.h"
-#include "robots/input_error.h"
+#include "experiments/query.h"
+#include "planners/processor_time.h"
 
 namespace b4p {
 
@@ -21,80 +23,78 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using StateType = ManipulationStateSpace::StateType;
 
-template <class Value>
-struct Named {
-  Value value;
-  const char* name;
-};
-
 constexpr std::array<Named<ClearanceGoal>, 2> kGoals{
     {{ClearanceGoal::kLargest, "max_clearance"}, {ClearanceGoal::kSmallest, "min_clearance"}}};
-constexpr std::array<Named<PlacementSampling>, 3> kSamplings{
-    {{PlacementSampling::kTreeSearch, "tree"},
-     {PlacementSampling::kUniformChildren, "children"},
-     {PlacementSampling::kUniformArea, "area"}}};
 
-template <class Names>
-auto valueOf(const Names& names, const std::string& name, const std::string& where,
-             const std::string& element) {
-  std::string known;
-  for (const auto& named : names) {
-    if (name == named.name) return named.value;
-    known += (known.empty() ? "" : ", ") + std::string(named.name);
-  }
-  throw InputError(where, element, "'" + name + "' is unknown; there are: " + known);
-}
-
-template <class Names, class Value>
-std::string nameIn(const Names& names, Value value) {
-  for (const auto& named : names)
-    if (named.value == value) return named.name;
-  return {};
-}
-
-PlacementProblem makeSeededProblem(Scene scene, const PlacementQuerySettings& settings) {
+/// The options that the settings come to. Parameters are set on a planner that nothing is planned with.
+std::shared_ptr<PlacementOptions> optionsFrom(const PlacementQuerySettings& settings,
+                                              const std::string& where) {
   ompl::msg::noOutputHandler();
+  requireTimeLimit(settings.time_limit_s, where, "time limit");
+  const auto options = std::make_shared<PlacementOptions>(settings.options);
+  makePlanner(placementPlannerKind(options), settings.parameters, settings.threads,
+              std::make_shared<ob::SpaceInformation>(std::make_shared<ob::RealVectorStateSpace>(1)), where);
+  if (const std::string problem = options->problem(); !problem.empty()) throw InputError(where, "", problem);
+  return options;
+}
+
+PlacementProblem makeSeededProblem(Scene scene, const PlacementQuerySettings& settings,
+                                   const PlacementOptions& options) {
   ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(derivedSeed(settings.seed, 0)));
   if (settings.objective) scene.placing().objective = *settings.objective;
-  return makePlacementProblem(scene, settings.options);
-}
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return makePlacementProblem(scene, options);
 }
 
 }  // namespace
 
 PlacementQuery::PlacementQuery(const Scene& scene, const std::string& scene_name,
                                const PlacementQuerySettings& settings, const std::string& where)
-    : scene_name_(scene_name), settings_(settings), problem_(makeSeededProblem(scene, settings)) {
-  const PlannerKind kind{"place", "", 0, [](const ob::SpaceInformationPtr& si) {
-                           return std::make_shared<PlacementPlanner>(si);
-                         }};
-  planner_ = std::static_pointer_cast<PlacementPlanner>(
-      makePlanner(kind, settings.parameters, 1, problem_.si, where));
-  planner_->setProblemDefinition(problem_.pdef);
+    : scene_name_(scene_name),
+      settings_(settings),
+      options_(optionsFrom(settings, where)),
+      problem_(makeSeededProblem(scene, settings, *options_)) {
+  const auto prepare = [this](const ob::PlannerTerminationCondition&) {
+    improvements_.clear();
+    start_ = Clock::now();
+    cpu_start_s_ = processTime_s();
+  };
+  planner_ = std::make_shared<DeadlinePlanner>(
+      makePlanner(placementPlannerKind(options_), settings.parameters, settings.threads, problem_.si, where),
+      RunLimits{settings.time_limit_s, {}, StopRule::kEither, settings.clock}, prepare, nullptr);
+  problem_.setup->setPlanner(planner_);
+  problem_.pdef->setIntermediateSolutionCallback([this](const ob::Planner*,
+                                                        const std::vector<const ob::State*>& states,
+                                                        ob::Cost cost) { keep(states, cost); });
+}
+
+void PlacementQuery::check(const PlacementQuerySettings& settings, const std::string& where) {
+  optionsFrom(settings, where);
+}
+
+void PlacementQuery::keep(const std::vector<const ob::State*>& states, ob::Cost cost) {
+  PlacementImprovement& improvement = improvements_.emplace_back();
+  improvement.cpu_s = processTime_s() - cpu_start_s_;
+  improvement.time_s = settings_.clock == RunClock::kProcessor
+                           ? improvement.cpu_s
+                           : std::chrono::duration<double>(Clock::now() - start_).count();
+  improvement.objective_m = cost.value();
+  improvement.arm = states.back()->as<StateType>()->grasp;
+  for (const ob::State* state : states) {
+    const double* q = state->as<StateType>()->q;
+    improvement.path.emplace_back(q, q + problem_.space->dof());
+  }
 }
 
 PlacementResult PlacementQuery::solve() {
-  PlacementResult result = emptyResult();
-  const Clock::time_point start = Clock::now();
-  problem_.pdef->setIntermediateSolutionCallback(
-      [&](const ob::Planner*, const std::vector<const ob::State*>& states, ob::Cost cost) {
-        PlacementImprovement& improvement = result.improvements.emplace_back();
-        improvement.time_s = secondsSince(start);
-        improvement.objective_m = cost.value();
-        improvement.arm = states.back()->as<StateType>()->grasp;
-        for (const ob::State* state : states) {
-          const double* q = state->as<StateType>()->q;
-          improvement.path.emplace_back(q, q + problem_.space->dof());
-        }
-      });
+  planner_->setProblemDefinition(problem_.pdef);
   planner_->setup();
-  const ob::PlannerStatus status = planner_->solve(ob::PlannerTerminationCondition(
-      [&] { return interrupted() || secondsSince(start) >= settings_.time_limit_s; }));
-  problem_.pdef->setIntermediateSolutionCallback({});
-  result.planning_time_s = secondsSince(start);
+  return result(planner_->solve(ob::plannerNonTerminatingCondition()));
+}
+
+PlacementResult PlacementQuery::result(const ob::PlannerStatus& status) const {
+  PlacementResult result = emptyResult();
+  result.improvements = improvements_;
+  result.planning_time_s = planner_->elapsed_s();
   result.status = status.asString();
   result.draws = problem_.goal->statistics();
   const auto context = problem_.world->makeContext();
@@ -106,7 +106,7 @@ PlacementResult PlacementQuery::solve() {
 
 /// Which test rejected the draws, or why there were none.
 std::string PlacementQuery::reason(const PlacementStatistics& draws) const {
-  if (!planner_->lastError().empty()) return planner_->lastError();
+  if (!planner_->crash().empty()) return planner_->crash();
   if (const std::string problem = problem_.goal->problem(); !problem.empty()) return problem;
   if (draws.valid > 0) return "no motion to any of the placements found; " + draws.summary();
   return draws.summary();
@@ -116,7 +116,7 @@ PlacementResult PlacementQuery::emptyResult() const {
   PlacementResult result;
   result.scene = scene_name_;
   result.objective = nameOf(problem_.scene.placing().objective);
-  result.sampling = nameOf(settings_.options.sampling);
+  result.sampling = nameOf(options_->sampling);
   planner_->params().getParams(result.parameters);
   result.seed = settings_.seed;
   result.time_limit_s = settings_.time_limit_s;
@@ -134,11 +134,6 @@ ClearanceGoal clearanceGoal(const std::string& name, const std::string& where) {
   return valueOf(kGoals, name, where, "--objective");
 }
 
-PlacementSampling placementSampling(const std::string& name, const std::string& where) {
-  return valueOf(kSamplings, name, where, "--sampling");
-}
-
 std::string nameOf(ClearanceGoal goal) { return nameIn(kGoals, goal); }
-std::string nameOf(PlacementSampling sampling) { return nameIn(kSamplings, sampling); }
 
 }  // namespace b4p

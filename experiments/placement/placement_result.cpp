@@ -25,9 +25,13 @@ Json verificationJson(const PlacementVerification& verification) {
 
 Json improvementJson(const PlacementResult& result, const PlacementImprovement& improvement) {
   const auto arm = static_cast<std::size_t>(improvement.arm);
-  return {{"time_s", improvement.time_s}, {"objective_m", improvement.objective_m},
-          {"arm", result.arms[arm]},      {"X_WO_place", poseJson(improvement.X_WO, "X_WO_place")},
-          {"path", improvement.path},     {"verification", verificationJson(improvement.verification)}};
+  return {{"time_s", improvement.time_s},
+          {"cpu_s", improvement.cpu_s},
+          {"objective_m", improvement.objective_m},
+          {"arm", result.arms[arm]},
+          {"X_WO_place", poseJson(improvement.X_WO, "X_WO_place")},
+          {"path", improvement.path},
+          {"verification", verificationJson(improvement.verification)}};
 }
 
 Json armsJson(const PlacementResult& result) {
@@ -63,9 +67,10 @@ PlacementVerification verificationFrom(const JsonValue& value) {
 }
 
 PlacementImprovement improvementFrom(const JsonValue& value, const PlacementResult& result) {
-  value.requireKeys({"time_s", "objective_m", "arm", "X_WO_place", "path", "verification"});
+  value.requireKeys({"time_s", "objective_m", "arm", "X_WO_place", "path", "verification"}, {"cpu_s"});
   PlacementImprovement improvement;
   improvement.time_s = value["time_s"].number();
+  if (value.has("cpu_s")) improvement.cpu_s = value["cpu_s"].number();
   improvement.objective_m = value["objective_m"].number();
   const auto arm = std::find(result.arms.begin(), result.arms.end(), value["arm"].text());
   if (arm == result.arms.end()) value["arm"].failWithValue("is no arm of the list");

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/runner/experiment.h"
 
+#include <fnmatch.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <thread>
 
+#include "experiments/named_values.h"
+#include "experiments/placement/placement_query.h"
 #include "experiments/scene_files/data_files.h"
 #include "experiments/scene_files/yaml_value.h"
 
@@ -19,6 +24,9 @@ constexpr int kMostThreads = 64;
 constexpr double kMostChecks = 1e15;
 constexpr double kLargestCheckCost_us = 1e6;
 constexpr double kMicrosecond_s = 1e-6;
+
+constexpr std::array<Named<RunClock>, 2> kClocks{
+    {{RunClock::kElapsed, "elapsed"}, {RunClock::kProcessor, "processor"}}};
 
 std::string sceneFor(const YamlValue& place, const std::string& scene) {
   if (!isPath(scene)) return scene;
@@ -119,13 +127,48 @@ class ContenderReader {
   CheckerKind checker_;
 };
 
+bool matches(const std::string& scene, const std::string& pattern) {
+  return fnmatch(pattern.c_str(), scene.c_str(), FNM_PATHNAME) == 0;
+}
+
+bool isPattern(const std::string& name_or_path) {
+  return !isPath(name_or_path) && name_or_path.find_first_of("*?[") != std::string::npos;
+}
+
+/// The scene that an item of the list means, or all shipped ones that its pattern does.
+std::vector<std::string> scenesOf(const YamlValue& item) {
+  const std::string text = item.text();
+  if (!isPattern(text)) return {sceneFor(item, text)};
+  std::vector<std::string> scenes;
+  for (const std::string& name : sceneNames())
+    if (matches(name, text)) scenes.push_back(name);
+  if (scenes.empty()) item.failWithValue("fits no scene that ships with b4p");
+  return scenes;
+}
+
 void readScenes(const YamlValue& document, Experiment& experiment) {
-  for (const YamlValue& item : document["scenes"].items()) {
-    experiment.scenes.push_back(sceneFor(item, item.text()));
-    if (std::count(experiment.scenes.begin(), experiment.scenes.end(), experiment.scenes.back()) > 1)
-      item.failWithValue("is listed twice");
-  }
+  for (const YamlValue& item : document["scenes"].items())
+    for (const std::string& scene : scenesOf(item)) {
+      if (std::count(experiment.scenes.begin(), experiment.scenes.end(), scene) > 0)
+        item.failWithValue("lists a scene twice");
+      experiment.scenes.push_back(scene);
+    }
   if (experiment.scenes.empty()) document["scenes"].fail("is empty");
+}
+
+void readObjectives(const YamlValue& document, Experiment& experiment) {
+  const auto list = document.find("objectives");
+  if (!list) return;
+  auto& objectives = experiment.objectives;
+  for (const YamlValue& item : list->items()) {
+    const auto known = {ClearanceGoal::kLargest, ClearanceGoal::kSmallest};
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](ClearanceGoal goal) { return item.isWord(nameOf(goal).c_str()); });
+    if (found == known.end()) item.failWithValue("is neither max_clearance nor min_clearance");
+    if (std::count(objectives.begin(), objectives.end(), *found) > 0) item.failWithValue("is listed twice");
+    objectives.push_back(*found);
+  }
+  if (objectives.empty()) list->fail("is empty");
 }
 
 std::uint64_t checksFrom(const YamlValue& value) {
@@ -148,6 +191,8 @@ void readLimits(const YamlValue& document, Experiment& experiment) {
   } else if (checks) {
     for (const std::string& scene : experiment.scenes) experiment.check_limits[scene] = checksFrom(*checks);
   }
+  if (const auto clock = document.find("clock"))
+    experiment.clock = runClock(clock->text(), document.file(), "clock");
   if (!stop) return;
   if (!checks && !cost) stop->fail("needs a check_limit or check_cost_us beside the time limit");
   if (stop->isWord("both"))
@@ -156,15 +201,21 @@ void readLimits(const YamlValue& document, Experiment& experiment) {
     stop->failWithValue("is neither both nor either");
 }
 
+/// Whether a name or pattern means a scene.
+bool means(const std::string& name, const std::string& scene) {
+  return name == scene || (isPattern(name) && matches(scene, name));
+}
+
 void keepScenes(const std::vector<std::string>& wanted, const YamlValue& document, Experiment& experiment) {
   if (wanted.empty()) return;
-  for (const std::string& scene : wanted)
-    if (std::count(experiment.scenes.begin(), experiment.scenes.end(), scene) == 0)
-      document["scenes"].fail("does not list '" + scene + "', which was asked for");
   auto& scenes = experiment.scenes;
+  for (const std::string& name : wanted)
+    if (std::none_of(scenes.begin(), scenes.end(), [&](const auto& scene) { return means(name, scene); }))
+      document["scenes"].fail("does not list '" + name + "', which was asked for");
   scenes.erase(std::remove_if(scenes.begin(), scenes.end(),
                               [&wanted](const std::string& scene) {
-                                return std::count(wanted.begin(), wanted.end(), scene) == 0;
+                                return std::none_of(wanted.begin(), wanted.end(),
+                                                    [&](const auto& name) { return means(name, scene); });
                               }),
                scenes.end());
 }
@@ -183,6 +234,7 @@ RunLimits Experiment::limitsFor(const Contender& contender, const std::string& g
   RunLimits limits;
   limits.time_s = time_limit_s.value_or(scene.budget_s);
   limits.stop = stop;
+  limits.clock = clock;
   if (const auto own = check_limits.find(given); own != check_limits.end()) limits.checks = own->second;
   if (check_cost_us) {
     const double checks = limits.time_s * contender.threads / (kMicrosecond_s * *check_cost_us);
@@ -191,17 +243,25 @@ RunLimits Experiment::limitsFor(const Contender& contender, const std::string& g
   return limits;
 }
 
+RunClock runClock(const std::string& name, const std::string& where, const std::string& element) {
+  return valueOf(kClocks, name, where, element);
+}
+
+std::string nameOf(RunClock clock) { return nameIn(kClocks, clock); }
+
 Experiment loadExperiment(const std::string& file, const ExperimentOverrides& overrides) {
   const YamlValue document = YamlValue::load(file);
   document.requireSchema(kSchema);
-  document.allowKeys({"schema", "name", "runs", "time_limit_s", "check_limit", "check_cost_us", "stop",
-                      "threads", "skip_threads_beyond_cores", "seed", "checker", "scenes", "planners"});
+  document.allowKeys({"schema", "name", "runs", "time_limit_s", "clock", "check_limit", "check_cost_us",
+                      "stop", "threads", "skip_threads_beyond_cores", "seed", "checker", "scenes",
+                      "objectives", "planners"});
   Experiment experiment;
   experiment.file = file;
   experiment.name = document["name"].word();
   experiment.runs = document["runs"].integer(1, kMostRuns);
   experiment.seed = static_cast<std::uint64_t>(document["seed"].integer(0, std::numeric_limits<int>::max()));
   readScenes(document, experiment);
+  readObjectives(document, experiment);
   readLimits(document, experiment);
 
   const auto skip = document.find("skip_threads_beyond_cores");
@@ -218,6 +278,7 @@ Experiment loadExperiment(const std::string& file, const ExperimentOverrides& ov
 
   experiment.seed = overrides.seed.value_or(experiment.seed);
   if (overrides.time_limit_s) experiment.time_limit_s = overrides.time_limit_s;
+  experiment.clock = overrides.clock.value_or(experiment.clock);
   if (overrides.runs) {
     experiment.runs = *overrides.runs;
     for (Contender& contender : experiment.contenders) contender.runs = 0;

@@ -4,11 +4,22 @@
 #include <algorithm>
 #include <sstream>
 
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/tools/benchmark/MachineSpecs.h>
 
 #include "experiments/runner/build_info.h"
 
 namespace b4p {
+
+namespace {
+
+/// OMPL wants one for every log; nothing is planned with it.
+ompl::geometric::SimpleSetup& anySetup() {
+  static ompl::geometric::SimpleSetup setup(std::make_shared<ompl::base::RealVectorStateSpace>(1));
+  return setup;
+}
+
+}  // namespace
 
 OmplRun omplRun(const ompl::tools::Benchmark::CompleteExperiment& recorded,
                 const std::map<std::string, std::string>& own_columns) {
@@ -27,9 +38,9 @@ OmplRun omplRun(const ompl::tools::Benchmark::CompleteExperiment& recorded,
   return run;
 }
 
-OmplLog::OmplLog(ompl::geometric::SimpleSetup& setup, const std::string& name, const std::string& header,
-                 double time_limit_s, int runs, std::uint64_t seed)
-    : Benchmark(setup, name) {
+OmplLog::OmplLog(const std::string& name, const std::string& header, double time_limit_s, int runs,
+                 std::uint64_t seed)
+    : Benchmark(anySetup(), name) {
   exp_.maxTime = time_limit_s;
   exp_.maxMem = kNoMemoryLimit_MB;
   exp_.runCount = static_cast<unsigned>(runs);

@@ -23,10 +23,9 @@ OmplRun omplRun(const ompl::tools::Benchmark::CompleteExperiment& recorded,
 /// format. Converters and Planner Arena read it like any other.
 class OmplLog : private ompl::tools::Benchmark {
  public:
-  /// @param setup   lent; only its type matters to OMPL here
   /// @param header  free text that goes into the log's set-up block
-  OmplLog(ompl::geometric::SimpleSetup& setup, const std::string& name, const std::string& header,
-          double time_limit_s, int runs, std::uint64_t seed);
+  OmplLog(const std::string& name, const std::string& header, double time_limit_s, int runs,
+          std::uint64_t seed);
 
   void add(const RunRecord& record);
   bool empty() const { return exp_.planners.empty(); }

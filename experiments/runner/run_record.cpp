@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "experiments/json_value.h"
+#include "experiments/runner/experiment.h"
 
 namespace b4p {
 namespace {
@@ -43,6 +44,32 @@ OmplRun readOmpl(const JsonValue& element) {
   return ompl;
 }
 
+Json toJson(const PlacementSeries& series) {
+  Json improvements = Json::array();
+  for (const PlacementSeries::Improvement& i : series.improvements)
+    improvements.push_back({{"time_s", i.time_s},
+                            {"cpu_s", i.cpu_s},
+                            {"objective_m", i.objective_m},
+                            {"recomputed_m", i.recomputed_m},
+                            {"arm", i.arm},
+                            {"verified", i.verified}});
+  return {{"objective", series.objective}, {"object", series.object}, {"improvements", improvements}};
+}
+
+PlacementSeries readPlacement(const JsonValue& element) {
+  element.requireKeys({"objective", "object", "improvements"});
+  PlacementSeries series;
+  series.objective = element["objective"].text();
+  series.object = element["object"].text();
+  for (const JsonValue& item : element["improvements"].items()) {
+    item.requireKeys({"time_s", "cpu_s", "objective_m", "recomputed_m", "arm", "verified"});
+    series.improvements.push_back({item["time_s"].number(), item["cpu_s"].number(),
+                                   item["objective_m"].number(), item["recomputed_m"].number(),
+                                   item["arm"].text(), item["verified"].boolean()});
+  }
+  return series;
+}
+
 StopRule readStop(const JsonValue& element) {
   const std::string stop = element.text();
   if (stop != kEither && stop != kBoth) element.failWithValue("is neither both nor either");
@@ -54,6 +81,7 @@ RunLimits readLimits(const JsonValue& root) {
   limits.time_s = root["time_limit_s"].number();
   if (!root["check_limit"].isNull()) limits.checks = root["check_limit"].integer<std::uint64_t>();
   limits.stop = readStop(root["stop"]);
+  if (root.has("clock")) limits.clock = runClock(root["clock"].text(), root.file(), "clock");
   return limits;
 }
 
@@ -61,31 +89,33 @@ RunLimits readLimits(const JsonValue& root) {
 
 std::string recordLine(const RunRecord& record) {
   const RunLimits& limits = record.limits;
-  const Json document = {{"schema", kSchema},
-                         {"scene", record.scene},
-                         {"label", record.label},
-                         {"run", record.run},
-                         {"planner", record.planner},
-                         {"checker", record.checker},
-                         {"seed", record.seed},
-                         {"threads", record.threads},
-                         {"time_limit_s", limits.time_s},
-                         {"check_limit", limits.checks ? Json(*limits.checks) : Json(nullptr)},
-                         {"stop", limits.stop == StopRule::kBoth ? kBoth : kEither},
-                         {"status", record.status},
-                         {"solved", record.solved},
-                         {"verified", record.verification_passed},
-                         {"verification_failure", record.verification_failure},
-                         {"crashed", record.crashed},
-                         {"crash", record.crash},
-                         {"grasp_id", record.grasp_id},
-                         {"time_s", record.time_s},
-                         {"cpu_s", record.cpu_s},
-                         {"wall_s", record.wall_s},
-                         {"checks", record.checks},
-                         {"edge_checks", record.edge_checks},
-                         {"build", Json(record.build)},
-                         {"ompl", toJson(record.ompl)}};
+  Json document = {{"schema", kSchema},
+                   {"scene", record.scene},
+                   {"label", record.label},
+                   {"run", record.run},
+                   {"planner", record.planner},
+                   {"checker", record.checker},
+                   {"seed", record.seed},
+                   {"threads", record.threads},
+                   {"time_limit_s", limits.time_s},
+                   {"check_limit", limits.checks ? Json(*limits.checks) : Json(nullptr)},
+                   {"stop", limits.stop == StopRule::kBoth ? kBoth : kEither},
+                   {"status", record.status},
+                   {"solved", record.solved},
+                   {"verified", record.verification_passed},
+                   {"verification_failure", record.verification_failure},
+                   {"crashed", record.crashed},
+                   {"crash", record.crash},
+                   {"grasp_id", record.grasp_id},
+                   {"time_s", record.time_s},
+                   {"cpu_s", record.cpu_s},
+                   {"wall_s", record.wall_s},
+                   {"checks", record.checks},
+                   {"edge_checks", record.edge_checks},
+                   {"build", Json(record.build)},
+                   {"ompl", toJson(record.ompl)}};
+  if (limits.clock != RunClock::kElapsed) document["clock"] = nameOf(limits.clock);
+  if (record.placement) document["placement"] = toJson(*record.placement);
   return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -99,7 +129,7 @@ RunRecord recordFrom(const std::string& line, const std::string& where) {
        "time_limit_s", "check_limit", "stop",     "status", "solved",  "verified", "verification_failure",
        "crashed",      "crash",       "grasp_id", "time_s", "cpu_s",   "wall_s",   "checks",
        "edge_checks",  "build",       "ompl"},
-      {"checker"});
+      {"checker", "clock", "placement"});
   RunRecord record;
   record.scene = root["scene"].text();
   record.label = root["label"].text();
@@ -123,6 +153,7 @@ RunRecord recordFrom(const std::string& line, const std::string& where) {
   record.edge_checks = root["edge_checks"].integer<std::uint64_t>();
   record.build = root["build"].texts();
   record.ompl = readOmpl(root["ompl"]);
+  if (root.has("placement")) record.placement = readPlacement(root["placement"]);
   return record;
 }
 

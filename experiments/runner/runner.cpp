@@ -2,9 +2,7 @@
 #include "experiments/runner/runner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -14,10 +12,9 @@
 #include "experiments/interrupt.h"
 #include "experiments/output_file.h"
 #include "experiments/preflight.h"
+#include "experiments/runner/benchmark_run.h"
 #include "experiments/runner/build_info.h"
 #include "experiments/runner/summary.h"
-#include "experiments/tcp_path_length.h"
-#include "experiments/verification/verifier.h"
 #include "robots/input_error.h"
 
 namespace b4p {
@@ -30,60 +27,6 @@ namespace {
 constexpr const char* kResultsFolder = "results";
 constexpr const char* kRunFile = "runs.jsonl";
 constexpr const char* kSettingsFile = "experiment.json";
-constexpr const char* kTcpPathLength = "tcp path length REAL";  ///< m
-
-std::string number(double value) {
-  if (!std::isfinite(value)) return "nan";
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << value;
-  return text.str();
-}
-
-/// A planner's progress property by its name, "0" where it has none.
-std::string property(const ompl::base::Planner& planner, const std::string& name) {
-  const auto& properties = planner.getPlannerProgressProperties();
-  const auto found = properties.find(name);
-  return found == properties.end() ? "0" : found->second();
-}
-
-OmplBenchmark::RunProperties ownColumns(const Query& query, const PlanResult& result) {
-  const bool verified = result.solved && result.verification.passed;
-  OmplBenchmark::RunProperties columns;
-  columns["grasp id INTEGER"] = std::to_string(result.grasp_id);
-  for (const char* name : {"repairs tried INTEGER", "repairs succeeded INTEGER"})
-    columns[name] = property(*query.planner(), name);
-  columns["validity checks INTEGER"] = std::to_string(query.configurationsChecked());
-  columns["edge checks INTEGER"] = std::to_string(query.edgeChecks());
-  columns["cpu time REAL"] = number(query.cpu_s());
-  columns["verified BOOLEAN"] = verified ? "1" : "0";
-  columns["seed INTEGER"] = std::to_string(result.seed);
-  columns["threads INTEGER"] = std::to_string(result.threads);
-  columns["time to verified path REAL"] =
-      number(verified ? result.planning_time_s : std::numeric_limits<double>::quiet_NaN());
-  columns[kTcpPathLength] = number(result.solved ? tcpPathLength_m(*query.problem().robot, result.path)
-                                                 : std::numeric_limits<double>::quiet_NaN());
-  return columns;
-}
-
-void fill(RunRecord& record, const Query& query, const PlanResult& result) {
-  record.planner = result.planner;
-  record.checker = result.checker;
-  record.seed = result.seed;
-  record.threads = result.threads;
-  record.status = result.status;
-  record.solved = result.solved;
-  record.verification_passed = result.solved && result.verification.passed;
-  record.verification_failure = result.verification.failure;
-  record.crashed = crashed(result);
-  if (record.crashed) record.crash = query.planner()->crash();
-  record.grasp_id = result.grasp_id;
-  record.time_s = result.planning_time_s;
-  record.cpu_s = query.cpu_s();
-  record.checks = query.configurationsChecked();
-  record.edge_checks = query.edgeChecks();
-  record.build = buildInfo();
-}
 
 /// Files of that kind in a folder; none where there is no such folder.
 std::vector<fs::path> filesIn(const fs::path& folder, const std::string& extension) {
@@ -129,8 +72,7 @@ BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalog
       to_do_.push_back(*run);
   for (SceneRuns& runs : scenes_) {
     const std::string& name = runs.listed.scene.name;
-    runs.problem = makePlanningProblem(runs.listed.scene);
-    runs.log = std::make_unique<OmplLog>(*runs.problem->setup, name, header(),
+    runs.log = std::make_unique<OmplLog>(name, header(),
                                          experiment_.time_limit_s.value_or(runs.listed.scene.budget_s),
                                          experiment_.runs, experiment_.seed);
     for (const RunRecord& record : records())
@@ -141,18 +83,12 @@ BenchmarkRunner::BenchmarkRunner(Experiment experiment, PlannerCatalogue catalog
 }
 
 void BenchmarkRunner::checkInput() {
-  for (const std::string& given : experiment_.scenes) {
-    scenes_.push_back({{given, loadScene(given)}, nullptr, nullptr});
-    const std::string& name = scenes_.back().listed.scene.name;
-    if (std::count_if(scenes_.begin(), scenes_.end(),
-                      [&name](const SceneRuns& s) { return s.listed.scene.name == name; }) > 1)
-      throw InputError(experiment_.file, "scenes", "two scenes are called '" + name + "'");
-  }
+  for (ListedScene& listed : listedScenes(experiment_)) scenes_.push_back({std::move(listed), nullptr});
   for (std::size_t scene = 0; scene < scenes_.size(); ++scene) {
     const ListedScene& listed = scenes_[scene].listed;
     for (std::size_t i = 0; i < experiment_.contenders.size(); ++i)
-      Query(listed.scene, listed.given, catalogue_, settingsFor({scene, i, 0}),
-            experiment_.file + ": planners: " + experiment_.contenders[i].label);
+      checkBenchmarkRun(listed, catalogue_, settingsFor({scene, i, 0}),
+                        experiment_.file + ": planners: " + experiment_.contenders[i].label);
     preflight(listed.scene);
   }
 }
@@ -202,6 +138,7 @@ QuerySettings BenchmarkRunner::settingsFor(const Planned& run) const {
   settings.time_limit_s = limits.time_s;
   settings.check_limit = limits.checks;
   settings.stop = limits.stop;
+  settings.clock = limits.clock;
   return settings;
 }
 
@@ -215,23 +152,22 @@ void BenchmarkRunner::run() {
   writeSummary();
 }
 
-void BenchmarkRunner::runOne(const Planned& run) {
+void BenchmarkRunner::runOne(const Planned& planned) {
   const auto start = std::chrono::steady_clock::now();
-  SceneRuns& runs = scenes_[run.scene];
-  const QuerySettings settings = settingsFor(run);
-  Query query(runs.listed.scene, runs.listed.given, catalogue_, settings, experiment_.file);
-  PlanResult result;
+  SceneRuns& runs = scenes_[planned.scene];
+  const auto run = makeBenchmarkRun(runs.listed, catalogue_, settingsFor(planned), experiment_.file);
   RunRecord record;
-  record.limits = limitsOf(run);
-  const auto recorded = benchmark(query, record.limits, result);
-  if (interrupted() && !result.solved) return;
+  record.limits = limitsOf(planned);
+  const auto recorded = benchmark(*run, runs.listed.scene.name, record.limits);
+  if (interrupted() && !run->finished()) return;
 
   record.scene = runs.listed.scene.name;
-  record.label = experiment_.contenders[run.contender].label;
-  record.run = run.number;
-  fill(record, query, result);
-  record.ompl = omplRun(recorded, ownColumns(query, result));
-  if (result.solved) writeResult(resultFile(record), result);
+  record.label = experiment_.contenders[planned.contender].label;
+  record.run = planned.number;
+  record.build = buildInfo();
+  run->fill(record);
+  record.ompl = omplRun(recorded, run->columns());
+  if (record.solved) run->write(resultFile(record));
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   file_->append(record);
   runs.log->add(record);
@@ -245,27 +181,29 @@ void BenchmarkRunner::runOne(const Planned& run) {
   writeSummary();
 }
 
-OmplBenchmark::CompleteExperiment BenchmarkRunner::benchmark(Query& query, const RunLimits& limits,
-                                                             PlanResult& result) const {
+OmplBenchmark::CompleteExperiment BenchmarkRunner::benchmark(BenchmarkRun& run, const std::string& name,
+                                                             const RunLimits& limits) const {
   constexpr double kProgressSamples = 200.0;
   constexpr double kFinestProgress_s = 0.005;
-  OmplBenchmark benchmark(*query.problem().setup, query.problem().scene.name);
-  benchmark.addPlanner(query.planner());
+  constexpr double kSlowestProcessor = 1000.0;  ///< elapsed time over processor time on a busy machine
+  OmplBenchmark benchmark(run.setup(), name);
+  benchmark.addPlanner(run.planner());
   // OMPL's own limit is only a net below the exact ones.
-  OmplBenchmark::Request request(2.0 * limits.longest_s() + 1.0, kNoMemoryLimit_MB, 1);
+  const double late = limits.clock == RunClock::kProcessor ? kSlowestProcessor : 2.0;
+  OmplBenchmark::Request request(late * limits.longest_s() + 1.0, kNoMemoryLimit_MB, 1);
   request.timeBetweenUpdates = std::max(kFinestProgress_s, limits.time_s / kProgressSamples);
   request.displayProgress = false;
   request.saveConsoleOutput = false;
   request.simplify = false;
+  bool concluded = false;
   benchmark.setPostRunEvent([&](const ompl::base::PlannerPtr&, OmplBenchmark::RunProperties& properties) {
     const int status = std::stoi(properties.at("status ENUM"));
-    result =
-        query.result(ompl::base::PlannerStatus(static_cast<ompl::base::PlannerStatus::StatusType>(status)));
-    if (result.solved) result.verification = verify(query.problem().scene, result);
+    run.conclude(ompl::base::PlannerStatus(static_cast<ompl::base::PlannerStatus::StatusType>(status)));
+    concluded = true;
   });
   benchmark.benchmark(request);
   ompl::msg::noOutputHandler();
-  if (result.status.empty()) result = query.result(ompl::base::PlannerStatus::CRASH);
+  if (!concluded) run.conclude(ompl::base::PlannerStatus::CRASH);
   return benchmark.getRecordedExperimentData();
 }
 
@@ -297,7 +235,7 @@ std::string BenchmarkRunner::header() const {
   if (experiment_.check_cost_us || !experiment_.check_limits.empty())
     text << "a run ends when it has reached " << (experiment_.stop == StopRule::kBoth ? "both" : "one")
          << " of its limits\n";
-  text << "seed: " << experiment_.seed << "\n";
+  text << "clock: " << nameOf(experiment_.clock) << " time\nseed: " << experiment_.seed << "\n";
   int most_runs = 0;
   for (const Contender& contender : recorded_contenders_) {
     most_runs = std::max(most_runs, contender.runs);

@@ -18,6 +18,8 @@
 
 namespace b4p {
 
+class BenchmarkRun;
+
 /// What becomes of an earlier benchmark that the folder holds already.
 enum class EarlierRuns {
   kRefuse,  ///< an error: it would mix with the new one
@@ -61,7 +63,6 @@ class BenchmarkRunner {
  private:
   struct SceneRuns {
     ListedScene listed;
-    std::unique_ptr<PlanningProblem> problem;  ///< lends OMPL's log its set-up
     std::unique_ptr<OmplLog> log;
   };
   struct Planned {
@@ -74,9 +75,9 @@ class BenchmarkRunner {
   std::vector<Planned> plan() const;
   RunLimits limitsOf(const Planned& run) const;
   QuerySettings settingsFor(const Planned& run) const;
-  void runOne(const Planned& run);
-  ompl::tools::Benchmark::CompleteExperiment benchmark(Query& query, const RunLimits& limits,
-                                                       PlanResult& result) const;
+  void runOne(const Planned& planned);
+  ompl::tools::Benchmark::CompleteExperiment benchmark(BenchmarkRun& run, const std::string& name,
+                                                       const RunLimits& limits) const;
   void writeLog(SceneRuns& runs) const;
   void writeSummary() const;
   std::string resultFile(const RunRecord& record) const;

@@ -17,6 +17,7 @@ constexpr int kSchema = 1;
 constexpr int kIndent = 1;
 constexpr const char* kRuns = "runs";
 constexpr const char* kChecker = "checker";
+constexpr const char* kClock = "clock";
 
 template <class Value>
 Json orNull(const std::optional<Value>& value) {
@@ -30,11 +31,14 @@ std::string contentOf(const std::string& file) {
   return text.str();
 }
 
-/// All that is read for a scene but its robot.
+/// All that is read for a scene but its robot, that of single arms included.
 std::string sceneContent(const Scene& scene) {
   std::string content = contentOf(scene.file);
   if (const auto* reach = std::get_if<ReachTask>(&scene.task); reach && !reach->grasp_file.empty())
     content += contentOf(reach->grasp_file);
+  if (const auto* placing = std::get_if<PlacementTask>(&scene.task))
+    for (const PlacementArm& arm : placing->arms)
+      if (arm.robot_file != scene.robot.file) content += contentOf(arm.robot_file) + contentOf(arm.urdf_file);
   return content;
 }
 
@@ -67,6 +71,7 @@ Json toJson(const Experiment& experiment, const std::vector<ListedScene>& scenes
           {"seed", experiment.seed},
           {"check_cost_us", orNull(experiment.check_cost_us)},
           {"stop", experiment.stop == StopRule::kBoth ? "both" : "either"},
+          {kClock, nameOf(experiment.clock)},
           {"scenes", by_scene},
           {"planners", by_label}};
 }
@@ -107,7 +112,7 @@ void merge(const std::string& file, const std::string& group, Json& there, const
 /// Finds every fault that the file may have by itself.
 std::vector<Contender> readContenders(const JsonValue& root) {
   root.requireSchema(kSchema);
-  root.requireKeys({"schema", "name", "seed", "check_cost_us", "stop", "scenes", "planners"});
+  root.requireKeys({"schema", "name", "seed", "check_cost_us", "stop", "scenes", "planners"}, {kClock});
   for (const auto& [name, scene] : root["scenes"].entries())
     scene.requireKeys({"time_limit_s", "check_limit", "scene_file", "robot_file", "urdf_file"});
   std::vector<Contender> contenders;
@@ -137,7 +142,8 @@ std::vector<Contender> reconcileSettings(const std::string& file, const Experime
   if (std::filesystem::exists(file)) {
     merged = readJson(file);
     readContenders(JsonValue(file, "", merged));
-    for (const char* key : {"name", "seed", "check_cost_us", "stop"})
+    if (!merged.contains(kClock)) merged[kClock] = nameOf(RunClock::kElapsed);
+    for (const char* key : {"name", "seed", "check_cost_us", "stop", kClock})
       requireSame(file, key, merged[key], here[key]);
     merge(file, "scenes", merged["scenes"], here["scenes"]);
     merge(file, "planners", merged["planners"], here["planners"]);

@@ -4,15 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/runner/experiment.h"
+#include "experiments/runner/listed_scene.h"
 
 namespace b4p {
-
-/// A scene as an experiment lists it and as it was loaded.
-struct ListedScene {
-  std::string given;  ///< name or path
-  Scene scene;
-};
 
 /// Keeps what the runs of a folder are made with (experiment.json): seed, limits, the content of scene and
 /// robot files, planners with their parameters. Where the file is there already, the experiment has to agree

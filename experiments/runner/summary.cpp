@@ -29,6 +29,19 @@ std::string seconds(double value, double limit_s) {
   return text.str();
 }
 
+/// Median over the runs that have a placement.
+std::string bestObjective(const std::vector<const RunRecord*>& runs) {
+  std::vector<double> best;
+  for (const RunRecord* run : runs)
+    if (run->verified()) best.push_back(run->placement->improvements.back().objective_m);
+  if (best.empty()) return "-";
+  std::sort(best.begin(), best.end());
+  std::ostringstream text;
+  text.precision(4);
+  text << quantile(best, 0.5);
+  return text.str();
+}
+
 std::string oneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -52,7 +65,9 @@ std::string row(const Contender& contender, const std::vector<const RunRecord*>&
        << solved << " of " << runs.size() << " | " << verified << " of " << solved << " | " << crashed
        << " | " << seconds(quantile(times, 0.5), limit_s) << " | "
        << seconds(quantile(times, 0.25), limit_s) + " ... " + seconds(quantile(times, 0.75), limit_s) << " | "
-       << grasps.size() << " |\n";
+       << grasps.size() << " |";
+  if (runs.front()->placement) text << " " << bestObjective(runs) << " |";
+  text << "\n";
   return text.str();
 }
 
@@ -64,10 +79,14 @@ std::string summaryTables(const std::vector<Contender>& contenders, const std::v
     if (std::find(scenes.begin(), scenes.end(), record.scene) == scenes.end()) scenes.push_back(record.scene);
   std::ostringstream text;
   for (const std::string& scene : scenes) {
+    const bool placing = std::any_of(records.begin(), records.end(), [&scene](const RunRecord& record) {
+      return record.scene == scene && record.placement;
+    });
     text << "## " << scene << "\n\n"
          << "| label | planner | threads | solved | verified | crashed | median (s) | quartiles (s) | grasps "
-            "used |\n"
-         << "|---|---|---|---|---|---|---|---|---|\n";
+            "used |"
+         << (placing ? " best objective, median (m) |" : "") << "\n|---|---|---|---|---|---|---|---|---|"
+         << (placing ? "---|" : "") << "\n";
     for (const Contender& contender : contenders) {
       std::vector<const RunRecord*> runs;
       for (const RunRecord& record : records)

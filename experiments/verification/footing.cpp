@@ -15,13 +15,17 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kFootHeight_m = 2.5e-3;
+constexpr double kLevel_rad = 0.01;  // a face tilted by less is horizontal
+constexpr double kUneven_m = 3e-4;   // corners of a face are off its plane by less
+constexpr double kSureFooting_m = 8e-3;
 constexpr double kSlack_m = 1e-3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kFullTurn_rad = 2.0 * std::acos(-1.0);
 
 /// Points of a shape, in S, that include those it can stand on.
 struct Corners {
+  Vector3d down_S;
+
   std::vector<Vector3d> operator()(const Box& box) const {
     std::vector<Vector3d> points;
     for (int i = 0; i < 8; ++i)
@@ -30,10 +34,14 @@ struct Corners {
   }
   std::vector<Vector3d> operator()(const Cylinder& cylinder) const {
     constexpr int kRim = 64;
+    const double sideways = down_S.head<2>().norm();
+    const bool upright = sideways <= std::sin(kLevel_rad);
+    // Lying, it touches along a line.
+    const double lowest_rad = std::atan2(down_S.y(), down_S.x());
     std::vector<Vector3d> points;
-    for (int i = 0; i < kRim; ++i)
+    for (int i = 0; i < (upright ? kRim : 1); ++i)
       for (const double side : {-0.5, 0.5}) {
-        const double angle = kFullTurn_rad * i / kRim;
+        const double angle = lowest_rad + kFullTurn_rad * i / kRim;
         points.emplace_back(cylinder.radius * std::cos(angle), cylinder.radius * std::sin(angle),
                             side * cylinder.length);
       }
@@ -56,16 +64,20 @@ Footing::Footing(const Scene& scene) : scene_(scene) {
 
 std::vector<Vector3d> Footing::feet(const Isometry3d& X_WO) const {
   std::vector<Vector3d> points;
-  double lowest = kInfinity;
+  Vector3d lowest = Vector3d::Constant(kInfinity);
   for (const PlacedShape& shape : scene_.placing().object) {
     const Isometry3d X_WS = X_WO * shape.X_BS;
-    const Vector3d down = X_WS.linear().transpose() * -Vector3d::UnitZ();
+    const Vector3d down_S = X_WS.linear().transpose() * -Vector3d::UnitZ();
     const ConvexBody body = ConvexBody::of(shape.shape);
-    lowest = std::min(lowest, (X_WS * body.support(down)).z() - body.margin());
-    for (const Vector3d& p_S : std::visit(Corners{}, shape.shape)) points.push_back(X_WS * p_S);
+    const Vector3d p_W = X_WS * body.support(down_S) - body.margin() * Vector3d::UnitZ();
+    if (p_W.z() < lowest.z()) lowest = p_W;
+    for (const Vector3d& p_S : std::visit(Corners{down_S}, shape.shape)) points.push_back(X_WS * p_S);
   }
   points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const Vector3d& p) { return p.z() > lowest + kFootHeight_m; }),
+                              [&](const Vector3d& p) {
+                                const double level = std::tan(kLevel_rad) * (p - lowest).head<2>().norm();
+                                return p.z() > lowest.z() + kUneven_m + level;
+                              }),
                points.end());
   return points;
 }
@@ -107,7 +119,7 @@ std::string Footing::problem(const Isometry3d& X_WO, double& largest_gap_m) cons
     const double angle = kFullTurn_rad * i / kDirections;
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
     const bool falls = std::none_of(standing.begin(), standing.end(), [&](const Vector3d& foot) {
-      return direction.dot(foot.head<2>() - p_WCom) > 0.0;
+      return direction.dot(foot.head<2>() - p_WCom) > kSureFooting_m;
     });
     if (falls) return "the object's centre of mass does not stand above its feet";
   }

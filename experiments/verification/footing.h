@@ -17,8 +17,9 @@ class Footing {
   /// @param scene  with a placement task; has to outlive this object
   explicit Footing(const Scene& scene);
 
-  /// The points that an object at X_WO would stand on: corners of its shapes (rims in 64 points) no more than
-  /// 2.5 mm above its lowest one. In W.
+  /// The points that an object at X_WO would stand on: corners of its shapes (rims of upright cylinders in 64
+  /// points) in one plane with its lowest point, to 0.3 mm, that is tilted by 0.01 rad at most. A cylinder on
+  /// its side has a foot at either end. In W.
   std::vector<Eigen::Vector3d> feet(const Eigen::Isometry3d& X_WO) const;
 
   /// How far below a point the first obstacle is (m), at most `farthest_m`; infinite beyond.
@@ -26,7 +27,7 @@ class Footing {
 
   /// What keeps an object at X_WO from standing, one line; empty when nothing does: each foot has an obstacle
   /// below it within one and a half cells of the placement grid and 1 mm, all are inside the target volume,
-  /// and the centre of mass stands above the polygon that they span.
+  /// and the centre of mass stands above the polygon that they span, 8 mm inside it.
   /// @param largest_gap_m  the largest gap below a foot (m)
   std::string problem(const Eigen::Isometry3d& X_WO, double& largest_gap_m) const;
 

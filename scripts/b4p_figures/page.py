@@ -77,7 +77,7 @@ def write_page(scene: Scene, result: Result | None, file: Path) -> None:
             legend |= _add_ghosts(server.scene, scene, motion) | _add_trace(server.scene, scene, trace)
         else:
             motion = rest(scene)
-            legend |= {"object at the pick": START} if scene.object else {}
+            legend |= {f"object at the {scene.words.first}": START} if scene.object else {}
         _aim(server, scene, motion)
         html = _record(server, scene, motion)
     with replacing(file) as temporary:
@@ -128,7 +128,7 @@ def _add_scene(api: SceneApi, scene: Scene) -> dict[str, str]:
         _add(api, f"/obstacles/{name}", surface, OBSTACLE, OBSTACLE_OPACITY)
         _add_edges(api, f"/obstacles/{name}/edges", surface, OBSTACLE)
     goal = union(goal_points(scene))
-    _add(api, "/goal", goal, REGION, REGION_OPACITY)
+    _add(api, "/goal", goal, REGION, REGION_OPACITY * scene.words.goal_opacity)
     _add_edges(api, "/goal/edges", goal, REGION)
     return {"obstacles": OBSTACLE, scene.words.goal: REGION}
 

@@ -43,7 +43,7 @@ def draw_spatial(scene: Scene, result: Result | None, file: Path) -> None:
         Patch(color=REGION, alpha=0.4, label=scene.words.goal),
     ]
     if scene.object:
-        legend.append(Patch(color=START, label="object at the pick"))
+        legend.append(Patch(color=START, label=f"object at the {scene.words.first}"))
     if result is not None and len(result.path):
         motion = replay(scene, result, MOMENTS)
         shown = subject(scene, motion, (0, MOMENTS // 2, MOMENTS - 1))
@@ -62,7 +62,7 @@ def add_task(canvas: Canvas, scene: Scene) -> None:
     for solid in obstacle_points(scene):
         canvas.add_screen(union([solid]), OBSTACLE, OBSTACLE_OPACITY)
         canvas.add_edges(union([solid]), OBSTACLE)
-    canvas.add_solid(union(goal_points(scene)), REGION, REGION_OPACITY)
+    canvas.add_solid(union(goal_points(scene)), REGION, REGION_OPACITY * scene.words.goal_opacity)
     if scene.object:
         canvas.add_solid(union(object_points(scene, scene.X_WO_start)), START)
 

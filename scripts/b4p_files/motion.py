@@ -36,9 +36,10 @@ def replay(scene: Scene, result: Result, count: int) -> Motion:
 
 
 def rest(scene: Scene) -> Motion:
-    """One moment: the robot in the middle of its joint limits, the object where it starts; or the robot at its
-    start with an open hand."""
-    q, opening_m = (scene.q_start, scene.robot.max_opening_m) if scene.reaching else (scene.robot.middle, 0.0)
+    """One moment: the robot at its start, with an open hand or with the object; where the scene states no start, in
+    the middle of its joint limits."""
+    q = scene.robot.middle if scene.q_start is None else scene.q_start
+    opening_m = scene.robot.max_opening_m if scene.reaching else scene.opening_m
     links = scene.robot.link_poses(q[None], opening_m, scene.X_WB)
     tcp = links[scene.robot.tcp_link]
     return Motion(links, tcp, tcp if scene.reaching else scene.X_WO_start[None])
@@ -86,6 +87,8 @@ def motion_title(scene: Scene, result: Result | None) -> str:
     query = f"{scene.name}: {result.planner}, seed {result.seed}, {threads}"
     if len(result.path) == 0:
         return f"{query}\n{result.status} after {result.planning_time_s:.3g} s, no path"
+    if result.objective:
+        query += f", {result.objective}"
     verdict = "verified" if result.verified else "not verified"
     outcome = f"{result.status} in {result.planning_time_s:.3g} s, {verdict}"
-    return f"{query}\n{outcome}, grasp {result.grasp_id}"
+    return f"{query}\n{outcome}, {f'arm {result.arm}' if result.arm else f'grasp {result.grasp_id}'}"

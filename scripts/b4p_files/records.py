@@ -20,6 +20,27 @@ class Budget(Enum):
 
 
 @dataclass
+class Improvement:
+    """A placement better than those before it."""
+
+    time_s: float  # since planning began
+    cpu_s: float  # processor time since then
+    objective_m: float
+    recomputed_m: float  # the objective as the verifier has it
+    arm: str
+    verified: bool
+
+
+@dataclass
+class Placements:
+    """What a run on a placement scene found."""
+
+    objective: str
+    object: str
+    improvements: list[Improvement]
+
+
+@dataclass
 class Record:
     scene: str
     label: str
@@ -36,6 +57,7 @@ class Record:
     build: dict[str, str]
     tcp_path_m: float | None = None  # None: no path, or a folder that does not say
     joint_path: float | None = None
+    placement: Placements | None = None  # of placement scenes
 
     @property
     def group(self) -> str:
@@ -94,10 +116,18 @@ def _record(line: dict) -> Record:
         build=dict(line["build"]),
         tcp_path_m=_column(line, "tcp path length REAL"),
         joint_path=_column(line, "solution length REAL"),
+        placement=_placements(line["placement"]) if "placement" in line else None,
     )
     if not record.time_limit_s > 0 or (record.check_limit is not None and record.check_limit < 1):
         raise ValueError("a limit that is not positive")
     return record
+
+
+def _placements(part: dict) -> Placements:
+    improvements = [Improvement(**one) for one in part["improvements"]]
+    if not all(isfinite(one.time_s) and isfinite(one.objective_m) for one in improvements):
+        raise ValueError("an improvement's time or objective is not finite")
+    return Placements(part["objective"], part["object"], improvements)
 
 
 def _column(line: dict, name: str) -> float | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Result files that `b4p plan` writes, and the forests beside them."""
+"""Result files that `b4p plan` and `b4p place` write, and the forests beside them."""
 
 import json
 from dataclasses import dataclass
@@ -31,6 +31,8 @@ class Result:
     X_WO_place: Pose
     joint_names: list[str]
     path: np.ndarray  # one way-point a row
+    arm: str | None = None  # of placements; X_OT and opening_m are then those of the scene's arm
+    objective: str = ""  # likewise: what was wanted, and how much of it there is
 
 
 @dataclass
@@ -60,6 +62,8 @@ def _finite(name: str, numbers: np.ndarray) -> np.ndarray:
 def read_result(file: Path) -> Result:
     with reading(file, "result file"):
         document = _load(file)
+        if "improvements" in document:
+            return _best_placement(file, document)
         hand = _empty_hand(document) if "X_WT_reached" in document else _carrying_hand(document)
         names = document["joint_names"]
         path = np.array(document["path"], float)
@@ -78,6 +82,33 @@ def read_result(file: Path) -> Result:
             joint_names=names,
             path=_finite("path", path.reshape(len(path), len(names))),
         )
+
+
+def _best_placement(file: Path, document: dict) -> Result:
+    """The last improvement, or a result without a path where there is none."""
+    best = document["improvements"][-1] if document["improvements"] else None
+    joint_names = {arm["name"]: arm["joint_names"] for arm in document["arms"]}
+    names = joint_names[best["arm"]] if best else []
+    path = np.array(best["path"] if best else [], float)
+    return Result(
+        file=file,
+        scene=document["scene"],
+        planner=f"placement by {document['sampling']}",
+        seed=int(document["seed"]),
+        threads=1,
+        status=document["status"],
+        solved=best is not None,
+        verified=best is not None and bool(best["verification"]["passed"]),
+        planning_time_s=float(best["time_s"] if best else document["planning_time_s"]),
+        grasp_id=-1,
+        X_OT=np.eye(4),
+        opening_m=None,
+        X_WO_place=_finite("X_WO_place", pose_from(best["X_WO_place"])) if best else np.eye(4),
+        joint_names=names,
+        path=_finite("path", path.reshape(len(path), len(names))),
+        arm=best["arm"] if best else None,
+        objective=f"{document['objective']} {float(best['objective_m']):.4g} m" if best else document["objective"],
+    )
 
 
 def _carrying_hand(document: dict) -> dict:

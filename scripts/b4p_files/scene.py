@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scene files (experiments/scenes/*.yaml), as far as pictures need them."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -26,15 +26,28 @@ class Words:
     last: str
     subject: str
     goal: str
+    goal_opacity: float = 1.0  # over the usual one: what fills much of the scene is seen through
 
 
 PICK_AND_PLACE = Words("pick", "place", "object", "placement region (object's origin)")
 REACHING = Words("start", "grasp", "hand", "grasps (TCP)")
+PLACEMENT = Words("start", "place", "object", "target volume", 0.25)
+
+
+@dataclass
+class Arm:
+    """One that holds the object of a placement scene at the start."""
+
+    robot: Robot
+    X_WB: Pose
+    X_OT: Pose
+    opening_m: float
+    q_start: np.ndarray
 
 
 @dataclass
 class Scene:
-    """With its task, of pick and place or of reaching. Reaching has no object."""
+    """With its task, of pick and place, reaching or placement. Reaching has no object."""
 
     file: Path
     name: str
@@ -48,11 +61,26 @@ class Scene:
     X_WO_start: Pose | None = None
     region_min_m: np.ndarray | None = None
     region_max_m: np.ndarray | None = None
-    q_start: np.ndarray | None = None  # of reaching
+    q_start: np.ndarray | None = None  # of reaching and placement
+    opening_m: float = 0.0  # of the gripper at the start
+    arms: dict[str, Arm] = field(default_factory=dict)  # of placement
 
     @property
     def reaching(self) -> bool:
-        return self.q_start is not None
+        return not self.object
+
+    def with_arm(self, name: str) -> "Scene":
+        """A placement scene with one of its arms as its robot."""
+        arm = self.arms[name]
+        tcp = arm.robot.tcp_poses(arm.q_start[None], arm.X_WB)[0]
+        return replace(
+            self,
+            robot=arm.robot,
+            X_WB=arm.X_WB,
+            q_start=arm.q_start,
+            opening_m=arm.opening_m,
+            X_WO_start=tcp @ np.linalg.inv(arm.X_OT),
+        )
 
 
 def is_path(name_or_path: str) -> bool:
@@ -75,30 +103,56 @@ def read_scene(file: Path) -> Scene:
         if document["schema"] != SCHEMA:
             raise FileError(file, f"schema: {document['schema']} is not {SCHEMA}")
         X_WB = pose_from(document.get("robot_base", {}))
-        task = _reaching(document["reach"], file, X_WB) if "reach" in document else _pick_and_place(document, file)
-        return Scene(
+        robot = read_robot(find_robot(document["robot"], file.parent))
+        if "reach" in document:
+            task = _reaching(document["reach"], file, X_WB)
+        elif "place" in document:
+            task = _placement(document, file, robot, X_WB)
+        else:
+            task = _pick_and_place(document, file)
+        scene = Scene(
             file=file,
             name=document["name"],
-            robot=read_robot(find_robot(document["robot"], file.parent)),
+            robot=robot,
             X_WB=X_WB,
             obstacles={one["name"]: shape_from(one, file.parent) for one in document["obstacles"]},
             **task,
         )
+        return scene.with_arm(next(iter(scene.arms))) if scene.arms else scene
 
 
 def _pick_and_place(document: dict, file: Path) -> dict:
-    item = document["object"]
-    region = document["placement"]["region"]
-    low, high = vector(region["min_m"]), vector(region["max_m"])
     return {
         "words": PICK_AND_PLACE,
-        "goals": [PlacedShape(Box(np.maximum(high - low, SMALLEST_REGION_M)), pose((low + high) / 2))],
-        "object_name": item["name"],
-        "object": [shape_from(one, file.parent) for one in item["shapes"]],
-        "X_WO_start": pose_from(item["start"]),
-        "region_min_m": low,
-        "region_max_m": high,
+        "X_WO_start": pose_from(document["object"]["start"]),
+        **_object(document["object"], file),
+        **_region(document["placement"]["region"]),
     }
+
+
+def _object(item: dict, file: Path) -> dict:
+    return {"object_name": item["name"], "object": [shape_from(one, file.parent) for one in item["shapes"]]}
+
+
+def _region(region: dict) -> dict:
+    low, high = vector(region["min_m"]), vector(region["max_m"])
+    box = PlacedShape(Box(np.maximum(high - low, SMALLEST_REGION_M)), pose((low + high) / 2))
+    return {"goals": [box], "region_min_m": low, "region_max_m": high}
+
+
+def _placement(document: dict, file: Path, robot: Robot, X_WB: Pose) -> dict:
+    place = document["place"]
+    arms = {}
+    for one in place["arms"]:
+        grasp = one["grasp"]
+        arms[one["name"]] = Arm(
+            robot=read_robot(find_robot(one["robot"], file.parent)) if "robot" in one else robot,
+            X_WB=pose_from(one["robot_base"]) if "robot_base" in one else X_WB,
+            X_OT=pose_from(grasp),
+            opening_m=float(grasp["opening_m"]),
+            q_start=np.array(one["start"], float),
+        )
+    return {"words": PLACEMENT, "arms": arms, **_object(document["object"], file), **_region(place["volume"])}
 
 
 def _reaching(reach: dict, file: Path, X_WB: Pose) -> dict:

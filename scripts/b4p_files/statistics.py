@@ -36,6 +36,17 @@ def quantile(values: Sequence[float], fraction: float) -> float:
     return ordered[below] + weight * (ordered[below + 1] - ordered[below])
 
 
+def mean_interval(groups: Sequence[Sequence[float]]) -> tuple[float, float] | None:
+    """Bootstrap interval at CONFIDENCE of the mean over all values, each group resampled by itself; None when a group
+    has a single value, which says nothing of its spread."""
+    if min(map(len, groups)) < 2:
+        return None
+    random = np.random.default_rng(SEED)
+    resampled = [random.choice(group, (RESAMPLES, len(group))) for group in groups]
+    low, high = np.quantile(np.hstack(resampled).mean(axis=1), TAILS)
+    return float(low), float(high)
+
+
 def median_ratio(above: Sequence[float], below: Sequence[float]) -> tuple[float, tuple[float, float]] | None:
     """Ratio of two medians with a bootstrap interval at CONFIDENCE. Values may be infinite (not solved); None when
     that leaves the ratio, or more than a tail of its resamples, undefined."""

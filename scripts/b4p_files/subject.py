@@ -2,6 +2,7 @@
 """What a script is asked to show: a result in its scene, or a scene alone."""
 
 from argparse import ArgumentParser
+from dataclasses import replace
 from pathlib import Path
 
 from b4p_files.errors import FileError
@@ -11,7 +12,7 @@ from b4p_files.scene import Scene, find_scene, read_scene, read_scene_of
 
 def add_subject(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "subject", metavar="RESULT.json|SCENE", help="result of `b4p plan`, or a scene by name or path"
+        "subject", metavar="RESULT.json|SCENE", help="result of `b4p plan` or `b4p place`, or a scene by name or path"
     )
 
 
@@ -21,6 +22,11 @@ def read_subject(subject: str) -> tuple[Scene, Result | None]:
         return read_scene(find_scene(subject, Path())), None
     result = read_result(Path(subject))
     scene = read_scene_of(result.file, result.scene)
+    if result.arm is not None:
+        if result.arm not in scene.arms:
+            raise FileError(result.file, f"arm: {result.arm} is no arm of {scene.file}")
+        arm, scene = scene.arms[result.arm], scene.with_arm(result.arm)
+        result = replace(result, X_OT=arm.X_OT, opening_m=arm.opening_m)
     if len(result.path) and result.joint_names != scene.robot.joint_names:
         raise FileError(result.file, f"joint_names are not those of {scene.robot.file}")
     return scene, result

@@ -84,8 +84,10 @@ TEST(PlaceCommand, BadInputIsOneLineAndExitCode2) {
   for (const std::string& arguments : std::vector<std::string>{
            "no_such_scene", "maze", std::string(kScene) + " --objective nearest",
            std::string(kScene) + " --sampling luck", std::string(kScene) + " --param slice=0",
-           std::string(kScene) + " --param no_such=1", std::string(kScene) + " --time-limit-s 0",
-           std::string(kScene) + " --seed -1"}) {
+           std::string(kScene) + " --param no_such=1", std::string(kScene) + " --param sampling=luck",
+           std::string(kScene) + " --param stage=2",
+           std::string(kScene) + " --sampling area --param sampling=tree",
+           std::string(kScene) + " --time-limit-s 0", std::string(kScene) + " --seed -1"}) {
     const CommandRun run = runB4p("place " + arguments + out);
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(run.errorLines(), 1) << run.err;

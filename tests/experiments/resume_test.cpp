@@ -116,6 +116,9 @@ TEST_F(Resumption, RefusesOtherSettings) {
   other.time_limit_s = 21.0;
   expectRefused(other, "scenes.easy.time_limit_s");
   other = experiment(1);
+  other.clock = RunClock::kProcessor;
+  expectRefused(other, "clock: is \"elapsed\" in this folder, \"processor\" in the experiment");
+  other = experiment(1);
   other.check_cost_us = 3.5;
   expectRefused(other, "check_cost_us");
   other = experiment(1);
@@ -192,7 +195,8 @@ TEST(TimeLeft, FollowsEachPlannersOwnRuns) {
 /// Runs a planner on a scene that cannot be solved until a limit ends it.
 class Limits : public ::testing::Test {
  protected:
-  RunRecord run(double time_s, std::uint64_t checks, StopRule stop, unsigned threads = 1) {
+  RunRecord run(double time_s, std::uint64_t checks, StopRule stop, unsigned threads = 1,
+                RunClock clock = RunClock::kElapsed) {
     writeText(copy_.folder() / "blocked.yaml",
               replaced(readFile(copy_.scene()), "size_m: [0.1, 1.2, 0.1]", "size_m: [0.1, 9.0, 0.1]"));
     Experiment experiment;
@@ -202,6 +206,7 @@ class Limits : public ::testing::Test {
     experiment.time_limit_s = time_s;
     experiment.check_limits[experiment.scenes.front()] = checks;
     experiment.stop = stop;
+    experiment.clock = clock;
     BenchmarkRunner runner(experiment, PlannerCatalogue::standard(), out_.path(), EarlierRuns::kRemove);
     runner.run();
     EXPECT_FALSE(runner.records().front().solved);
@@ -224,6 +229,13 @@ TEST_F(Limits, EitherEndsByTheTimeWhenItIsUpFirst) {
   const RunRecord record = run(0.05, kNever, StopRule::kEither);
   EXPECT_GE(record.time_s, 0.05);
   EXPECT_LT(record.time_s, 2.0);
+}
+
+TEST_F(Limits, ProcessorTimeIsThatOfTheProcess) {
+  const RunRecord record = run(0.3, kNever, StopRule::kEither, 1, RunClock::kProcessor);
+  EXPECT_GE(record.time_s, 0.3);
+  EXPECT_NEAR(record.cpu_s, record.time_s, 0.1);
+  EXPECT_EQ(recordFrom(recordLine(record), "").limits.clock, RunClock::kProcessor);
 }
 
 TEST_F(Limits, BothGoesOnUntilTheTimeIsUp) {

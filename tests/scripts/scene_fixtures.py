@@ -98,6 +98,44 @@ class Task:
         return self
 
 
+def placement_task(folder: Path) -> Task:
+    """Two arms with a brick in the hand, the second one turned round; a result with two improvements by that one."""
+    task = spatial_task(folder)
+    grasp = {"position_m": [0, 0, 0.05], "opening_m": 0}
+    del task.scene["placement"], task.scene["object"]["start"]
+    task.scene["place"] = {
+        "volume": {"min_m": [-0.6, -0.6, 0], "max_m": [0, 0.6, 0.3]},
+        "objective": "max_clearance",
+        "arms": [
+            {"name": "left", "grasp": grasp, "start": [0.5, 0.0]},
+            {"name": "right", "robot_base": {"rpy_rad": [0, 0, np.pi]}, "grasp": grasp, "start": [-1.0, 0.1]},
+        ],
+    }
+    improvements = [
+        {
+            "time_s": time_s,
+            "objective_m": objective_m,
+            "arm": "right",
+            "X_WO_place": identity_at(*position),
+            "path": task.result["path"][:count],
+            "verification": {"passed": True},
+        }
+        for time_s, objective_m, position, count in ((0.25, 0.05, (0, 0.4, 0), 2), (0.5, 0.125, (-0.2, 0.3, 0), 3))
+    ]
+    task.result = {
+        "schema": 1,
+        "scene": str(folder / "scene.yaml"),
+        "objective": "max_clearance",
+        "sampling": "tree",
+        "seed": 7,
+        "planning_time_s": 2.0,
+        "status": "Exact solution",
+        "arms": [{"name": name, "joint_names": ["pan", "lift"]} for name in ("left", "right")],
+        "improvements": improvements,
+    }
+    return task.write()
+
+
 def planar_task(folder: Path) -> Task:
     walls = [
         {"name": "wall", "box": {"size_m": [0.1, 1, 0.2]}, "position_m": [1, 0.5, 0]},

@@ -10,9 +10,11 @@ import pytest
 from browser import Page, chromium, wait_until
 from matplotlib.colors import rgb_to_hsv, to_rgb
 from matplotlib.image import imread
-from scene_fixtures import planar_task, spatial_task
+from scene_fixtures import placement_task, planar_task, spatial_task
 
 from b4p_figures.spatial import GOAL, START, TRACE
+from b4p_files.motion import replay, rest
+from b4p_files.subject import read_subject
 
 TIME = "Number(document.querySelector('[role=slider]').getAttribute('aria-valuenow'))"
 PLAY, SLIDER = "button.mantine-ActionIcon-root", ".mantine-Slider-root"
@@ -137,6 +139,48 @@ def test_a_picture_comes_with_the_page(script, tmp_path, html):
     assert result.returncode == 0, result.stderr
     assert result.stdout == f"{html}\n{png}\n"
     assert imread(png).std() > 0.05
+
+
+def test_the_best_placement_is_shown_with_its_arm_and_objective(script, tmp_path, html, page):
+    placement_task(tmp_path)
+    result = script("view.py", tmp_path / "result.json", "-o", html, "--png", tmp_path / "out.png")
+    assert result.returncode == 0, result.stderr
+    text = html.read_text()
+    assert "<h1>task: placement by tree, seed 7, 1 thread, max_clearance 0.125 m</h1>" in text
+    assert "<p>Exact solution in 0.5 s, verified, arm right</p>" in text
+    page.open(html)
+    page.wait_for(f"{CANVAS} && document.querySelector('[role=slider]') && {TIME} > 0.1")
+    page.click(PLAY)
+    wait_until(lambda: len(of_hue(canvas(page), START)) > SOME_PIXELS, "the scene is drawn")
+    begin, middle = scrub(page, 0.1), scrub(page, 0.5)
+    assert all(len(of_hue(middle, color)) > SOME_PIXELS for color in (START, GOAL, TRACE))
+    assert moved(begin, middle) > SOME_WAY
+    assert page.errors == []
+
+
+def test_the_object_is_in_the_hand_of_the_arm_that_places_it(tmp_path):
+    task = placement_task(tmp_path)
+    scene, result = read_subject(str(tmp_path / "result.json"))
+    motion = replay(scene, result, 3)
+    q = np.array(task.result["improvements"][-1]["path"][-1])
+    reach = 0.4 * np.array([np.cos(q[0] + np.pi), np.sin(q[0] + np.pi)])
+    assert np.allclose(motion.tcp[-1][:2, 3], reach)  # the arm is turned round, and its path is the last one
+    assert np.allclose(motion.object[-1] @ [0, 0, 0.05, 1], motion.tcp[-1][:, 3])
+    alone, _ = read_subject(str(tmp_path / "scene.yaml"))
+    assert np.allclose(rest(alone).object[0] @ [0, 0, 0.05, 1], rest(alone).tcp[0][:, 3])
+    assert np.allclose(rest(alone).tcp[0][:2, 3], 0.4 * np.array([np.cos(0.5), np.sin(0.5)]))  # the first arm
+
+
+def test_a_result_without_placement_shows_the_scene_and_says_so(script, refuses, tmp_path, html):
+    task = placement_task(tmp_path)
+    best = task.result["improvements"]
+    task.result |= {"improvements": [], "status": "Timeout"}
+    task.write()
+    assert script("view.py", tmp_path / "result.json", "-o", html).returncode == 0
+    assert "Timeout after 2 s, no path" in html.read_text()
+    task.result |= {"improvements": [best[0] | {"arm": "third"}], "arms": [{"name": "third", "joint_names": ["pan", "lift"]}]}
+    task.write()
+    refuses("third is no arm of", "view.py", tmp_path / "result.json", "-o", tmp_path / "other.html")
 
 
 BAD_RESULTS = {

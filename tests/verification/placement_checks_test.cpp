@@ -68,16 +68,27 @@ TEST(Footing, FeetAreInsideTheVolume) {
 
 TEST(Footing, CentreOfMassIsAboveTheFeet) {
   Scene scene = onTheFloor();
-  scene.placing().p_OCom = {0.049, 0.0, 0.0};
+  scene.placing().p_OCom = {0.041, 0.0, 0.0};
   EXPECT_EQ(footing(scene, at(0.0, 0.0, 0.053)), "");
-  scene.placing().p_OCom = {0.051, 0.0, 0.0};
+  scene.placing().p_OCom = {0.043, 0.0, 0.0};
   EXPECT_NE(footing(scene, at(0.0, 0.0, 0.053)).find("centre of mass"), std::string::npos);
 }
 
 TEST(Footing, EdgeIsNoFooting) {
-  Isometry3d X_WO = at(0.0, 0.0, 0.05 * std::sqrt(2.0) + 0.003);
-  X_WO.rotate(Eigen::AngleAxisd(std::acos(-1.0) / 4.0, Vector3d::UnitX()));
-  EXPECT_NE(footing(onTheFloor(), X_WO).find("centre of mass"), std::string::npos);
+  for (const double yaw : {0.0, 0.123}) {
+    Isometry3d X_WO = at(0.0, 0.0, 0.05 * std::sqrt(2.0) + 0.003);
+    X_WO.rotate(Eigen::AngleAxisd(yaw, Vector3d::UnitZ()));
+    X_WO.rotate(Eigen::AngleAxisd(std::acos(-1.0) / 4.0, Vector3d::UnitX()));
+    EXPECT_NE(footing(onTheFloor(), X_WO).find("centre of mass"), std::string::npos) << yaw;
+  }
+}
+
+TEST(Footing, FaceMayTiltByALittle) {
+  for (const auto& [tilt, stands] : {std::pair{0.009, true}, std::pair{0.02, false}}) {
+    Isometry3d X_WO = at(0.0, 0.0, 0.053);
+    X_WO.rotate(Eigen::AngleAxisd(tilt, Vector3d::UnitX()));
+    EXPECT_EQ(footing(onTheFloor(), X_WO).empty(), stands) << tilt;
+  }
 }
 
 TEST(Footing, CylinderStandsOnItsEnd) {
@@ -85,6 +96,21 @@ TEST(Footing, CylinderStandsOnItsEnd) {
   scene.placing().object = {{Cylinder{0.03, 0.2}, Isometry3d::Identity()}};
   EXPECT_EQ(footing(scene, at(0.0, 0.0, 0.103)), "");
   EXPECT_NE(footing(scene, at(0.98, 0.0, 0.103)), "") << "part of its rim is beside the floor";
+}
+
+TEST(Footing, CylinderOnItsSideRolls) {
+  Scene scene = onTheFloor();
+  Isometry3d lying = at(0.0, 0.0, 0.0);
+  lying.rotate(Eigen::AngleAxisd(0.4, Vector3d::UnitZ()) *
+               Eigen::AngleAxisd(std::acos(-1.0) / 2.0, Vector3d::UnitX()));
+  for (const double radius : {0.01, 0.03, 0.3}) {
+    scene.placing().object = {{Cylinder{radius, 0.2}, Isometry3d::Identity()}};
+    const Isometry3d X_WO = at(0.0, 0.0, radius + 0.003) * lying;
+    EXPECT_NE(footing(scene, X_WO).find("centre of mass"), std::string::npos) << radius;
+  }
+  scene.placing().object = {{Cylinder{0.03, 0.2}, at(-0.05, 0.0, 0.0)},
+                            {Cylinder{0.03, 0.2}, at(0.05, 0.0, 0.0)}};
+  EXPECT_EQ(footing(scene, at(0.0, 0.0, 0.033) * lying), "") << "two side by side are a sledge";
 }
 
 TEST(Clearance, WallsCountAndTheFloorDoesNot) {
