@@ -107,9 +107,25 @@ bool SceneRegionContext::samplePick(double* q, GraspId& grasp) {
     grasp = std::uniform_int_distribution<GraspId>(0, region.graspCount() - 1)(impl_->random);
     return pickRoot(grasp, q);
   }
-  const Grasp drawn = region.sampler_->sample(impl_->random);
-  if (root(region.X_WO_start_, drawn, q) != RootOutcome::kValid) return false;
-  grasp = region.grasps_.add(drawn);
+  return pickNew(region.sampler_->sample(impl_->random), q, grasp);
+}
+
+// The hand alone at the placement is the cheapest test, and often the one that few grasps pass.
+bool SceneRegionContext::samplePickFor(PlacementId placement, double* q, GraspId& grasp) {
+  constexpr int kHands = 32;
+  const SceneRegion& region = impl_->region;
+  if (region.finite()) return samplePick(q, grasp);
+  const Eigen::Isometry3d& X_WO = region.placement(placement);
+  for (int hand = 0; hand < kHands; ++hand) {
+    const Grasp drawn = region.sampler_->sample(impl_->random);
+    if (impl_->gripper.isFree(X_WO * drawn.X_OT, drawn)) return pickNew(drawn, q, grasp);
+  }
+  return false;
+}
+
+bool SceneRegionContext::pickNew(const Grasp& drawn, double* q, GraspId& grasp) {
+  if (root(impl_->region.X_WO_start_, drawn, q) != RootOutcome::kValid) return false;
+  grasp = impl_->region.grasps_.add(drawn);
   return true;
 }
 

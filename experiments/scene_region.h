@@ -67,6 +67,7 @@ class SceneRegionContext : public PickPlaceContext {
   ~SceneRegionContext() override;
 
   bool samplePick(double* q, GraspId& grasp) override;
+  bool samplePickFor(PlacementId placement, double* q, GraspId& grasp) override;
   PlacementId samplePlacement() override;
   bool placeRoot(PlacementId placement, GraspId grasp, double* q) override;
   int retreatDirections() const override;
@@ -90,6 +91,7 @@ class SceneRegionContext : public PickPlaceContext {
   bool reachesSomePlacement(const Grasp& grasp);
 
  private:
+  bool pickNew(const Grasp& drawn, double* q, GraspId& grasp);
   RootOutcome root(const Eigen::Isometry3d& X_WO, const Grasp& grasp, double* q);
   RootOutcome pick(const Grasp& grasp, double* q, std::string& collision);
 

@@ -23,6 +23,13 @@ class PickPlaceContext {
   /// valid. False: this draw gave nothing, another may.
   virtual bool samplePick(double* q, GraspId& grasp) = 0;
 
+  /// samplePick() for an object that is then to go to `placement`: may pass over grasps that cannot hold it
+  /// there before anything dear is tried.
+  virtual bool samplePickFor(PlacementId placement, double* q, GraspId& grasp) {
+    static_cast<void>(placement);
+    return samplePick(q, grasp);
+  }
+
   /// PLANPLACE (Eq. 2): draws an object pose inside the region.
   virtual PlacementId samplePlacement() = 0;
 

@@ -16,6 +16,11 @@ GraspId RootDrawer::drawPick() {
   return region().samplePick(state->q, state->grasp) ? state->grasp : kNoGrasp;
 }
 
+GraspId RootDrawer::drawPickFor(PlacementId placement) {
+  auto* state = root()->as<ManipulationStateSpace::StateType>();
+  return region().samplePickFor(placement, state->q, state->grasp) ? state->grasp : kNoGrasp;
+}
+
 bool RootDrawer::derivePlaceRoot(PlacementId placement, GraspId grasp) {
   auto* state = root()->as<ManipulationStateSpace::StateType>();
   state->grasp = grasp;

@@ -21,6 +21,9 @@ class RootDrawer {
   /// Draws a grasp and its pick root (Eq. 1) into root(). The grasp, or kNoGrasp when this draw gave nothing.
   GraspId drawPick();
 
+  /// The same for an object that is to go to `placement`.
+  GraspId drawPickFor(PlacementId placement);
+
   /// Eq. 3 into root(). False when there is no configuration.
   bool derivePlaceRoot(PlacementId placement, GraspId grasp);
 

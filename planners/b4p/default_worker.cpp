@@ -64,16 +64,17 @@ void DefaultWorker::drawRoots() {
   const ForestPair* unplaced = left_ % 2 == 0 ? search().nextUnplaced() : nullptr;
   if (unplaced != nullptr) {
     promising_ = true;
-    return seekPlaceRoot(unplaced->grasp());
+    return seekPlaceRoot(unplaced->grasp(), region().samplePlacement());
   }
-  const Pick pick = drawPick();
+  const PlacementId placement = region().samplePlacement();
+  const Pick pick = drawPickFor(placement);
   if (pick.grasp == kNoGrasp) return;
   promising_ = promising_ || pick.is_new;
   const ForestPair& forests = search().forestsOf(pick.grasp);
   if (!forests.complete())
-    seekPlaceRoot(pick.grasp);
+    seekPlaceRoot(pick.grasp, placement);
   else
-    placeTreeFor(region().samplePlacement(), pick.grasp);
+    placeTreeFor(placement, pick.grasp);
 }
 
 // Forests have as many place roots as their nodes have doubled.
@@ -82,8 +83,8 @@ bool DefaultWorker::deservesRoot(const ForestPair& forests) const {
 }
 
 // Forests are worth a turn of their own once both their sides have a root.
-void DefaultWorker::seekPlaceRoot(GraspId grasp) {
-  if (placeTreeFor(region().samplePlacement(), grasp) != nullptr) endTurn(Outcome::kFruitful);
+void DefaultWorker::seekPlaceRoot(GraspId grasp, PlacementId placement) {
+  if (placeTreeFor(placement, grasp) != nullptr) endTurn(Outcome::kFruitful);
 }
 
 void DefaultWorker::grow(ForestPair& forests) {

@@ -28,7 +28,7 @@ class DefaultWorker : public Worker {
   void takeTurn();
   void endTurn(Schedule::Outcome outcome);
   void drawRoots();
-  void seekPlaceRoot(GraspId grasp);
+  void seekPlaceRoot(GraspId grasp, PlacementId placement);
   bool deservesRoot(const ForestPair& forests) const;
   void grow(ForestPair& forests);
   bool leavesRoots(const ForestPair& forests);

@@ -40,8 +40,7 @@ void Worker::endRepair(const std::shared_ptr<PathRepair>& repair) {
   search_.publish(repair->repaired());
 }
 
-Worker::Pick Worker::drawPick() {
-  const GraspId grasp = drawer_.drawPick();
+Worker::Pick Worker::plantPick(GraspId grasp) {
   if (grasp == kNoGrasp) return {};
   return {grasp, search_.plant(Side::kPick, root(), grasp) != nullptr};
 }

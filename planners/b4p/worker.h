@@ -37,7 +37,10 @@ class Worker : public ParallelWorker {
   };
 
   /// Draws a grasp and plants its pick root, unless it is there already.
-  Pick drawPick();
+  Pick drawPick() { return plantPick(drawer_.drawPick()); }
+
+  /// The same for an object that is to go to `placement`.
+  Pick drawPickFor(PlacementId placement) { return plantPick(drawer_.drawPickFor(placement)); }
 
   /// Eq. 3 into root(). False when there is no configuration.
   bool derivePlaceRoot(PlacementId placement, GraspId grasp) {
@@ -55,6 +58,7 @@ class Worker : public ParallelWorker {
   ompl::base::State* root() { return drawer_.root(); }
 
  private:
+  Pick plantPick(GraspId grasp);
   void helpRepair(const std::shared_ptr<PathRepair>& repair);
   void endRepair(const std::shared_ptr<PathRepair>& repair);
 

@@ -2,6 +2,7 @@
 // The region's draws hold the object where they say, depend on their seed alone, and its tables serve many
 // threads.
 #include "experiments/scene_region.h"
+#include "experiments/floating_body.h"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,26 @@ TEST(SceneRegion, KnowsAFiniteFamilyFromTheStartAndAContinuumByWhatWasDrawn) {
   EXPECT_EQ(pick(*context, q), 0);
   EXPECT_EQ(pick(*context, q), 1);
   EXPECT_EQ(panda.region->graspCount(), 2);
+}
+
+TEST(SceneRegion, PicksForAPlacementLeaveTheHandRoomThere) {
+  const Problem panda = pandaProblem();
+  const auto context = panda.region->makeContext(1);
+  const auto hand_checker = FloatingBody::makeChecker(panda.checker->problem(), FloatingBody::Parts::kGripper,
+                                                      *makeFclChecker(panda.checker->problem()));
+  FloatingBody hand(*hand_checker);
+  std::vector<double> q(7);
+  int picks = 0;
+  for (int draw = 0; draw < 2000 && picks < 20; ++draw) {
+    GraspId id = kNoGrasp;
+    const PlacementId placement = context->samplePlacement();
+    if (!context->samplePickFor(placement, q.data(), id)) continue;
+    ++picks;
+    const Grasp& grasp = panda.region->grasp(id);
+    EXPECT_TRUE(hand.isFree(panda.region->placement(placement) * grasp.X_OT, grasp));
+    EXPECT_TRUE(panda.checker->makeContext()->isFree(q.data(), &grasp));
+  }
+  EXPECT_EQ(picks, 20);
 }
 
 TEST(SceneRegion, PicksHoldTheObjectAtItsStartPoseAndAreFree) {
