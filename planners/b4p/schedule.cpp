@@ -49,7 +49,7 @@ void Schedule::giveBack(const Turn& turn, Outcome outcome) {
     pause_ = outcome == Outcome::kFruitful ? 1 : std::min(2 * pause_ + 1, kLongestPause * (all_.size() + 1));
   } else if (!turn.shared) {
     Turn next = turn;
-    constexpr std::uint64_t kLater = 8;
+    constexpr std::uint64_t kLater = 32;
     next.age = turn.age == 0 ? 1 : std::min(2 * turn.age, Turn::kOldest);
     if (outcome == Outcome::kPutOff) next.age = std::max(next.age, kLater);
     push(next);

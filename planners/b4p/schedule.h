@@ -12,9 +12,9 @@ namespace b4p {
 
 /// Which forests grow next, so that new ones come in without limit and none is ever dropped. The age of a
 /// pair of forests is the number of pairs that have come in after it; it is served at ages 0, 1, 2, 4, 8,
-/// ..., or from age 8 on when its first turn shows little promise. When none is due, roots are drawn; drawing
-/// that brings nothing new becomes rarer but never stops, and meanwhile those that are due soonest have their
-/// turn early. Any thread may ask.
+/// ..., or from age 32 on when its first turn shows little promise. When none is due, roots are drawn;
+/// drawing that brings nothing new becomes rarer but never stops, and meanwhile those that are due soonest
+/// have their turn early. Any thread may ask.
 class Schedule {
  public:
   /// A worker's turn: forests to grow, or roots to draw when `forests` is nullptr.
