@@ -27,11 +27,12 @@ class Joint:
     axis: np.ndarray
     lower: float  # rad or m
     upper: float
+    wanted_rest: float = 0.0  # as the robot file has it
 
     @property
     def rest(self) -> float:
-        """The value inside the limits that is nearest to zero."""
-        return float(np.clip(0.0, self.lower, self.upper))
+        """Where the joint stays when it is not planned: the value inside the limits nearest to what is wanted."""
+        return float(np.clip(self.wanted_rest, self.lower, self.upper))
 
     def motions(self, values: np.ndarray) -> np.ndarray:
         """One pose for each value (rad or m)."""
@@ -114,9 +115,12 @@ def read_robot(file: Path) -> Robot:
         urdf = file.parent / description["urdf"]
         gripper = description["gripper"]
         names = description["joints"], description["tcp_link"], gripper["finger_joints"]
+        rest = {name: float(value) for name, value in description.get("rest", {}).items()}
     with reading(urdf, "URDF"):
         tree = ET.parse(urdf).getroot()
         joints = [_read_joint(element) for element in tree.findall("joint")]
+        for joint in joints:
+            joint.wanted_rest = rest.get(joint.name, 0.0)
         shapes = {link.attrib["name"]: _read_shapes(link, urdf) for link in tree.findall("link")}
         (root_link,) = set(shapes) - {joint.child for joint in joints}
         unknown = set(names[0]) - {joint.name for joint in joints}

@@ -84,6 +84,15 @@ def test_forward_kinematics_match_the_published_pose_of_the_panda():
     assert read_robot(ROOT / "robots" / "planar_gripper.yaml").is_planar
 
 
+def test_joints_that_are_not_planned_rest_where_the_robot_file_says():
+    left = read_robot(ROOT / "robots" / "yumi_left.yaml")
+    right = read_robot(ROOT / "robots" / "yumi_right.yaml")
+    start = np.array([[0.69, -1.95, 0.0, 0.0, 0.0, 0.0, 0.0]])  # of the right arm, at which it rests for the left one
+    resting = left.link_poses(np.zeros((1, 7)), 0.0, np.eye(4))["yumi_right_link6"]
+    moved = right.link_poses(start, 0.0, np.eye(4))["yumi_right_link6"]
+    np.testing.assert_allclose(resting, moved, atol=1e-12)
+
+
 def test_resampling_keeps_both_ends_and_equal_distances():
     path = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 3.0]])
     points = resample(path, 5)
