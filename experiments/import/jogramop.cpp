@@ -183,6 +183,9 @@ class ScenarioImport {
     }
     if (targets + others == 0)
       throw InputError(exported("obstacles.obj"), "", "holds nothing but furniture, no object to grasp");
+    if (targets == 0)
+      throw InputError(exported("obstacles.obj"), "",
+                       "has no piece of the target before the furniture, or only such as lie in it");
     remark(std::to_string(targets) + " hulls make the target, " + std::to_string(others) +
            " are other obstacles");
   }
@@ -236,9 +239,14 @@ std::vector<ImportedScenario> importJogramop(const std::string& folder) {
   const fs::path root = fs::path(folder) / "scenarios";
   std::error_code error;
   std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(root, error))
-    if (fs::is_directory(entry.path() / "export", error) && isName(entry.path().filename().string()))
-      folders.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(root, error)) {
+    const bool exported = fs::is_directory(entry.path() / "export", error);
+    if (!exported && !fs::exists(entry.path() / "scene.yaml", error)) continue;
+    if (!exported) throw InputError((entry.path() / "export").string(), "", "no such folder");
+    if (!isName(entry.path().filename().string()))
+      throw InputError(entry.path().string(), "", "a scenario's name has letters, digits and _ only");
+    folders.push_back(entry.path());
+  }
   if (folders.empty())
     throw InputError(root.string(), "", "no such folder, or none in it that holds a folder export");
   std::sort(folders.begin(), folders.end());

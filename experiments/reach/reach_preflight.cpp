@@ -57,18 +57,16 @@ void requireFreeStart(const Scene& scene, const ReachTask& task, const Collision
                          numberText(scene.edge_step_m / 2.0) + " m");
 }
 
-void requireSomeGraspWithinReach(const Scene& scene, const ReachTask& task, const Manipulator& robot) {
+void requireGraspsWithinReach(const Scene& scene, const ReachTask& task, const Manipulator& robot) {
   const double reach_m = longestReach(robot) + task.position_tolerance_m;
-  std::vector<double> distances_m;
-  for (const Eigen::Isometry3d& X_WT : task.X_WT)
-    distances_m.push_back((X_WT.translation() - robot.X_WB().translation()).norm());
-  const auto nearest = std::min_element(distances_m.begin(), distances_m.end());
-  if (*nearest <= reach_m) return;
-  const auto [file, element] = placeOf(scene, task, static_cast<std::size_t>(nearest - distances_m.begin()));
-  throw InputError(file, element,
-                   "is out of reach, and every other grasp as well: it is " + numberText(*nearest) +
-                       " m from the robot's root, the arm reaches " + numberText(reach_m) +
-                       " m at most; no planner can solve this scene");
+  for (std::size_t i = 0; i < task.X_WT.size(); ++i) {
+    const double distance_m = (task.X_WT[i].translation() - robot.X_WB().translation()).norm();
+    if (distance_m <= reach_m) continue;
+    const auto [file, element] = placeOf(scene, task, i);
+    throw InputError(file, element,
+                     "is out of reach: it is " + numberText(distance_m) +
+                         " m from the robot's root, the arm reaches " + numberText(reach_m) + " m at most");
+  }
 }
 
 }  // namespace b4p

@@ -16,8 +16,7 @@ void requireStartInsideLimits(const Scene& scene, const ReachTask& task, const M
 ///   edge_step_m
 void requireFreeStart(const Scene& scene, const ReachTask& task, const CollisionChecker& checker);
 
-/// @throws InputError when every grasp is farther from the robot's root than the arm is long at most,
-///   naming the nearest
-void requireSomeGraspWithinReach(const Scene& scene, const ReachTask& task, const Manipulator& robot);
+/// @throws InputError for the first grasp farther from the robot's root than the arm is long at most
+void requireGraspsWithinReach(const Scene& scene, const ReachTask& task, const Manipulator& robot);
 
 }  // namespace b4p

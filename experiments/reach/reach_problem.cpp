@@ -62,7 +62,7 @@ void ReachProblem::interpret(const ompl::geometric::PathGeometric& path, PlanRes
 void ReachProblem::requireSolvable() const {
   requireStartInsideLimits(scene, task(), *robot);
   requireFreeStart(scene, task(), *checker);
-  requireSomeGraspWithinReach(scene, task(), *robot);
+  requireGraspsWithinReach(scene, task(), *robot);
 }
 
 }  // namespace b4p

@@ -176,8 +176,23 @@ TEST_F(ImportJogramop, MissingFilesAreNamed) {
     expectRefusedAsItIs(path("022", name), "");
     fs::rename(path("022", "aside"), path("022", name));
   }
+  fs::rename(path("022", "export"), path("022", "aside"));
+  expectRefusedAsItIs(path("022", "export"), "no such folder");
+  fs::rename(path("022", "aside"), path("022", "export"));
+  fs::rename(clone_ / "scenarios/022", clone_ / "scenarios/022-b");
+  expectRefusedAsItIs(clone_ / "scenarios/022-b", "name");
   fs::rename(clone_ / "scenarios", clone_ / "elsewhere");
   expectRefusedAsItIs(clone_ / "scenarios", "no such folder");
+}
+
+TEST_F(ImportJogramop, AMeshWithoutATargetIsRefused) {
+  Mesh mesh;
+  mesh.addBox({0.95, 0.9, 0.5}, {1.05, 0.95, 0.508});  // so thin that it counts as the table's
+  mesh.addBox({0.001, 0.6, 0}, {0.1, 1.4, 0.4});
+  mesh.addBox({1.9, 0.6, 0}, {2, 1.4, 0.4});
+  mesh.addBox({0, 0.6, 0.4}, {2, 1.4, 0.5});
+  mesh.addBox({0.3, 0.7, 0.51}, {0.35, 0.9, 0.7});
+  expectRefused("export/obstacles.obj", mesh.text(), "no piece of the target");
 }
 
 TEST_F(ImportJogramop, BadGraspsAreRefused) {
