@@ -42,3 +42,20 @@ build_release() {
   heading "Building with $(build_jobs) jobs"
   cmake --build --preset release --parallel "$(build_jobs)" --target "$@"
 }
+
+# Runs what is missing of an experiment; ends the script on bad input and interrupts. `bench_code` is its exit code.
+# Usage: resume_bench EXPERIMENT FOLDER [OPTION...]
+resume_bench() {
+  bench_code=0
+  "$root/build/release/experiments/b4p" bench "$1" --out "$2" --resume "${@:3}" || bench_code=$?
+  case $bench_code in
+    2) exit 2 ;;
+    130) fail "interrupted; the same command goes on from here" ;;
+  esac
+}
+
+# Unsolved runs are what baselines and peers are expected to leave; crashes and failed verifications are not.
+# Usage: require_sound_runs FOLDER
+require_sound_runs() {
+  ((bench_code <= 1)) || fail "runs crashed or failed their verification, see $1/summary.md"
+}

@@ -43,12 +43,7 @@ done
 build_release b4p
 
 heading "Benchmark $experiment"
-code=0
-"$root/build/release/experiments/b4p" bench "$experiment" --out "$out" --resume "${options[@]}" || code=$?
-case $code in
-  2) exit 2 ;;
-  130) fail "interrupted; the same command goes on from here" ;;
-esac
+resume_bench "$experiment" "$out" "${options[@]}"
 
 heading "Database, plots and tables"
 cd "$out"
@@ -64,5 +59,4 @@ cat <<END
   $out/paper.db, *.log     all runs, for Planner Arena and one's own queries
   $out/runs.jsonl          one line per run
 END
-# Unsolved runs are what baselines are expected to leave; crashes and failed verifications are not.
-((code <= 1)) || fail "runs crashed or failed their verification, see $out/summary.md"
+require_sound_runs "$out"

@@ -63,12 +63,7 @@ list=$(printf ', %s' "${scenes[@]}")
 sed "s|^scenes:.*|scenes: [${list:2}]|" "$root/experiments/peers/peers.yaml" >"$out/peers.yaml"
 
 heading "Benchmark"
-code=0
-"$b4p" bench "$out/peers.yaml" --out "$out/runs" --resume "${options[@]}" || code=$?
-case $code in
-  2) exit 2 ;;
-  130) fail "interrupted; the same command goes on from here" ;;
-esac
+resume_bench "$out/peers.yaml" "$out/runs" "${options[@]}"
 
 heading "Database, plots and table"
 "$python" "$root/scripts/database.py" "$out/runs"/*.log -o "$out/peers.db"
@@ -81,5 +76,4 @@ cat <<END
   $out/plots/              success over time, time of every run
   $out/peers.db            all runs, for Planner Arena and one's own queries
 END
-# Unsolved runs are what peers are expected to leave; crashes and failed verifications are not.
-((code <= 1)) || fail "runs crashed or failed their verification, see $out/runs/summary.md"
+require_sound_runs "$out/runs"

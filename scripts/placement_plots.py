@@ -4,12 +4,12 @@
 surroundings and objective, all objects together (Figure 5 of Haustein et al., IROS 2019)."""
 
 import argparse
-from math import inf
 from pathlib import Path
 
-from b4p_files.errors import FileError, run
+from b4p_files.errors import run
 from b4p_files.output import make_folder, replacing
 from b4p_files.placements import by_processor_time, placement_tables, placement_tasks
+from b4p_files.processor_limit import add_processor_limit, processor_limit
 from b4p_files.records import read_records
 
 
@@ -18,18 +18,11 @@ def main() -> None:
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="folder that `b4p bench` wrote")
     parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where files go")
     parser.add_argument("--reference", metavar="LABEL", help="whom times are compared with [the first planner]")
-    parser.add_argument(
-        "--processor-s",
-        metavar="SECONDS",
-        type=float,
-        help="judge runs by processor time instead, up to this limit (s)",
-    )
+    add_processor_limit(parser)
     arguments = parser.parse_args()
     records = [record for record in read_records(arguments.folder) if record.placement is not None]
-    if arguments.processor_s is not None:
-        if not 0.0 < arguments.processor_s < inf:
-            raise FileError("--processor-s", f"{arguments.processor_s} is not a positive number of seconds")
-        records = by_processor_time(records, arguments.processor_s)
+    if (limit_s := processor_limit(arguments)) is not None:
+        records = by_processor_time(records, limit_s)
     tasks = placement_tasks(records)
     tables = placement_tables(tasks, arguments.reference)
     make_folder(arguments.out)

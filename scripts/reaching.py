@@ -4,11 +4,11 @@
 Scenes whose names differ in a number at the end are taken together."""
 
 import argparse
-from math import inf
 from pathlib import Path
 
-from b4p_files.errors import FileError, run
+from b4p_files.errors import run
 from b4p_files.output import make_folder, replacing
+from b4p_files.processor_limit import add_processor_limit, processor_limit
 from b4p_files.reaching import by_processor_time, reaching_tables
 from b4p_files.records import read_records
 
@@ -17,18 +17,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="folder that `b4p bench` wrote")
     parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where files go")
-    parser.add_argument(
-        "--processor-s",
-        metavar="SECONDS",
-        type=float,
-        help="judge runs by processor time instead, within this limit (s)",
-    )
+    add_processor_limit(parser)
     arguments = parser.parse_args()
     records = read_records(arguments.folder)
-    if arguments.processor_s is not None:
-        if not 0.0 < arguments.processor_s < inf:
-            raise FileError("--processor-s", f"{arguments.processor_s} is not a positive number of seconds")
-        records = by_processor_time(records, arguments.processor_s)
+    if (limit_s := processor_limit(arguments)) is not None:
+        records = by_processor_time(records, limit_s)
     make_folder(arguments.out)
     with replacing(arguments.out / "reaching.md") as temporary:
         temporary.write_text(reaching_tables(records))

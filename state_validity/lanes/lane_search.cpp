@@ -100,7 +100,7 @@ bool LaneSearch::allFree(const EdgeSamples& samples) {
   const Hands& in_hand = hands();
   start(samples, in_hand.robot);
   Parts all;
-  split(0, samples.last(), kLanes, all);
+  splitEvenly(samples.last(), all);
   parts_.push_back(all);
   // Taken from the front: coarse before fine.
   for (std::size_t front = 0; front < parts_.size(); ++front) {
@@ -260,13 +260,13 @@ void LaneSearch::addFiner(const Parts& parts, std::int64_t end, bool nearest_las
   }
 }
 
-void LaneSearch::split(std::int64_t first, std::int64_t last, int count, Parts& into) {
-  const std::int64_t length = last - first + 1;
-  into.used = static_cast<int>(std::min<std::int64_t>(count, length));
+void LaneSearch::splitEvenly(std::int64_t last, Parts& into) {
+  const std::int64_t length = last + 1;
+  into.used = static_cast<int>(std::min<std::int64_t>(kLanes, length));
   for (int i = 0; i < into.used; ++i) {
     Part& part = into.part[i];
-    part.first = first + length * i / into.used;
-    part.last = first + length * (i + 1) / into.used - 1;
+    part.first = length * i / into.used;
+    part.last = length * (i + 1) / into.used - 1;
     part.k = part.first + (part.last - part.first) / 2;
   }
 }

@@ -70,7 +70,7 @@ class LaneSearch {
   void run(const EdgeSamples& samples, const LaneRobot& robot, const Parts& parts, bool all_pairs, bool any);
   bool judge(const EdgeSamples& samples, const Parts& parts, std::uint32_t lane_bits, int& blocked_lane);
   void addFiner(const Parts& parts, std::int64_t end, bool nearest_last);
-  static void split(std::int64_t first, std::int64_t last, int count, Parts& into);
+  static void splitEvenly(std::int64_t last, Parts& into);
   static void splitFinerAtFront(std::int64_t last, Parts& into);
 
   std::shared_ptr<const LaneModel> model_;
