@@ -137,6 +137,39 @@ bool FloatingBody::isFree(const Eigen::Isometry3d& X_WT, const Grasp& grasp) {
   return context_->isFree(q.data(), &grasp);
 }
 
+void FloatingBody::areFree(const std::vector<Eigen::Isometry3d>& X_WT, const Grasp& grasp,
+                           std::vector<bool>& free) {
+  q_.clear();
+  for (const Eigen::Isometry3d& pose : X_WT) {
+    const auto q = placedAt(pose);
+    q_.insert(q_.end(), q.begin(), q.end());
+  }
+  askAll(grasp, free);
+}
+
+void FloatingBody::areFreeShifted(const Eigen::Isometry3d& X_WT, const std::vector<Eigen::Vector3d>& shifts_m,
+                                  const Grasp& grasp, std::vector<bool>& free) {
+  const auto q = placedAt(X_WT);
+  q_.clear();
+  for (const Eigen::Vector3d& shift_m : shifts_m) {
+    q_.insert(q_.end(), {q[0] + shift_m.x(), q[1] + shift_m.y(), q[2] + shift_m.z()});
+    q_.insert(q_.end(), q.begin() + 3, q.end());
+  }
+  askAll(grasp, free);
+}
+
+void FloatingBody::askAll(const Grasp& grasp, std::vector<bool>& free) {
+  constexpr std::size_t kAtOnce = 64;
+  constexpr std::size_t kDof = 6;
+  std::array<bool, kAtOnce> answers;
+  free.clear();
+  for (std::size_t begin = 0; begin < q_.size(); begin += kAtOnce * kDof) {
+    const std::size_t count = std::min(kAtOnce, (q_.size() - begin) / kDof);
+    context_->areFree(q_.data() + begin, static_cast<int>(count), &grasp, answers.data());
+    free.insert(free.end(), answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+}
+
 std::string FloatingBody::describeCollision(const Eigen::Isometry3d& X_WT, const Grasp& grasp) {
   const auto q = placedAt(X_WT);
   return context_->describeCollision(q.data(), &grasp);

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -34,15 +35,24 @@ class FloatingBody {
   /// Whether body and object are free with the TCP at X_WT.
   bool isFree(const Eigen::Isometry3d& X_WT, const Grasp& grasp);
 
+  /// isFree() at each of many poses, at once.
+  void areFree(const std::vector<Eigen::Isometry3d>& X_WT, const Grasp& grasp, std::vector<bool>& free);
+
+  /// isFree() at X_WT moved by each of `shifts_m` (in W), at once.
+  void areFreeShifted(const Eigen::Isometry3d& X_WT, const std::vector<Eigen::Vector3d>& shifts_m,
+                      const Grasp& grasp, std::vector<bool>& free);
+
   /// Names of the first colliding pair, or "".
   std::string describeCollision(const Eigen::Isometry3d& X_WT, const Grasp& grasp);
 
  private:
   static CollisionProblem floating(const CollisionProblem& problem, Parts parts);
   std::array<double, 6> placedAt(const Eigen::Isometry3d& X_WT) const;
+  void askAll(const Grasp& grasp, std::vector<bool>& free);
 
   std::unique_ptr<CollisionContext> context_;
   std::shared_ptr<const Manipulator> robot_;
+  std::vector<double> q_;
 };
 
 }  // namespace b4p

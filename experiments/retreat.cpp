@@ -2,6 +2,7 @@
 #include "experiments/retreat.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace b4p {
@@ -27,8 +28,28 @@ Eigen::Vector3d directionInWorld(int direction, const Eigen::Matrix3d& R_WT) {
 
 }  // namespace
 
-Retreat::Retreat(std::shared_ptr<const Manipulator> robot)
-    : robot_(robot), kinematics_(makeDampedInverseKinematics(std::move(robot), kTolerance)) {}
+Retreat::Retreat(std::shared_ptr<const Manipulator> robot, FloatingBody& hand)
+    : robot_(robot), hand_(hand), kinematics_(makeDampedInverseKinematics(std::move(robot), kTolerance)) {}
+
+void Retreat::handReach(const Eigen::Isometry3d& X_WT, const Grasp& grasp, int steps, int* reach) {
+  going_.resize(kDirections);
+  std::iota(going_.begin(), going_.end(), 0);
+  std::fill_n(reach, kDirections, steps);
+  for (int step = 1; step <= steps && !going_.empty(); ++step) {
+    shifts_m_.clear();
+    for (const int direction : going_)
+      shifts_m_.push_back(step * kStep_m * directionInWorld(direction, X_WT.linear()));
+    hand_.areFreeShifted(X_WT, shifts_m_, grasp, free_);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < going_.size(); ++i) {
+      if (free_[i])
+        going_[left++] = going_[i];
+      else
+        reach[going_[i]] = step - 1;
+    }
+    going_.resize(left);
+  }
+}
 
 bool Retreat::step(const double* q, int direction, double* next) {
   seed_ = Eigen::Map<const Eigen::VectorXd>(q, robot_->dof());

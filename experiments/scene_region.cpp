@@ -2,10 +2,12 @@
 #include "experiments/scene_region.h"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <utility>
 
 #include "experiments/floating_body.h"
+#include "experiments/hand_sieve.h"
 #include "experiments/retreat.h"
 
 namespace b4p {
@@ -38,6 +40,7 @@ SceneRegion::SceneRegion(const Scene& scene, std::shared_ptr<const CollisionChec
     : checker_(std::move(checker)),
       gripper_checker_(
           FloatingBody::makeChecker(checker_->problem(), FloatingBody::Parts::kGripper, *checker_)),
+      bare_hand_checker_(HandSieve::makeChecker(checker_->problem(), *checker_)),
       robot_(checker_->problem().robot),
       X_WO_start_(scene.pickPlace().X_WO_start),
       sampler_(std::move(grasps)),
@@ -70,7 +73,8 @@ struct SceneRegionContext::Impl {
         collisions(checker.makeContext()),
         gripper(gripper_checker),
         kinematics(makeInverseKinematics(robot, kIkTolerance)),
-        retreat(robot),
+        retreat(robot, gripper),
+        sieve(*region.sampler_, *region.bare_hand_checker_, gripper, retreat),
         random(seed) {}
 
   const SceneRegion& region;
@@ -79,6 +83,7 @@ struct SceneRegionContext::Impl {
   FloatingBody gripper;
   std::unique_ptr<InverseKinematics> kinematics;
   Retreat retreat;
+  HandSieve sieve;
   std::mt19937_64 random;
   Eigen::VectorXd answer;
 };
@@ -110,17 +115,11 @@ bool SceneRegionContext::samplePick(double* q, GraspId& grasp) {
   return pickNew(region.sampler_->sample(impl_->random), q, grasp);
 }
 
-// The hand alone at the placement is the cheapest test, and often the one that few grasps pass.
 bool SceneRegionContext::samplePickFor(PlacementId placement, double* q, GraspId& grasp) {
-  constexpr int kHands = 32;
   const SceneRegion& region = impl_->region;
   if (region.finite()) return samplePick(q, grasp);
-  const Eigen::Isometry3d& X_WO = region.placement(placement);
-  for (int hand = 0; hand < kHands; ++hand) {
-    const Grasp drawn = region.sampler_->sample(impl_->random);
-    if (impl_->gripper.isFree(X_WO * drawn.X_OT, drawn)) return pickNew(drawn, q, grasp);
-  }
-  return false;
+  const std::optional<Grasp> drawn = impl_->sieve.draw(region.placement(placement), impl_->random);
+  return drawn && pickNew(*drawn, q, grasp);
 }
 
 bool SceneRegionContext::pickNew(const Grasp& drawn, double* q, GraspId& grasp) {
@@ -142,6 +141,10 @@ bool SceneRegionContext::placeRoot(PlacementId placement, GraspId grasp, double*
 }
 
 int SceneRegionContext::retreatDirections() const { return Retreat::kDirections; }
+
+void SceneRegionContext::retreatReach(const double* q, GraspId grasp, int steps, int* reach) {
+  impl_->retreat.handReach(impl_->robot->tcpPose(q), impl_->region.grasp(grasp), steps, reach);
+}
 
 bool SceneRegionContext::retreat(const double* q, GraspId, int direction, double* next) {
   return impl_->retreat.step(q, direction, next);

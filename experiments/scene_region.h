@@ -49,6 +49,7 @@ class SceneRegion : public PickPlaceRegion {
 
   std::shared_ptr<const CollisionChecker> checker_;
   std::shared_ptr<const CollisionChecker> gripper_checker_;
+  std::shared_ptr<const CollisionChecker> bare_hand_checker_;
   std::shared_ptr<const Manipulator> robot_;
   Eigen::Isometry3d X_WO_start_;
   std::unique_ptr<const GraspSampler> sampler_;
@@ -71,6 +72,7 @@ class SceneRegionContext : public PickPlaceContext {
   PlacementId samplePlacement() override;
   bool placeRoot(PlacementId placement, GraspId grasp, double* q) override;
   int retreatDirections() const override;
+  void retreatReach(const double* q, GraspId grasp, int steps, int* reach) override;
   bool retreat(const double* q, GraspId grasp, int direction, double* next) override;
 
   /// A configuration that holds the object at its start pose with a known grasp.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -40,6 +41,13 @@ class PickPlaceContext {
   /// Ways straight out of a narrow place, along which trees may leave their roots: how many directions there
   /// are. 0 where a region knows none.
   virtual int retreatDirections() const { return 0; }
+
+  /// How many of `steps` steps from q on are worth trying in each direction: `reach` gets retreatDirections()
+  /// values. All of them where a region knows nothing cheaper than to try.
+  virtual void retreatReach(const double* q, GraspId grasp, int steps, int* reach) {
+    static_cast<void>(q), static_cast<void>(grasp);
+    std::fill_n(reach, retreatDirections(), steps);
+  }
 
   /// The configuration a little further along direction 0 ... retreatDirections()-1, the object keeping its
   /// orientation, near q. Not checked for collisions. False when there is none.

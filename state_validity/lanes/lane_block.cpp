@@ -74,15 +74,14 @@ class Block {
   }
 
   void runAll() {
-    if (query_.any) tryLastHit();
-    if (ended()) return;
+    if (!query_.each) tryLastHit();
     const int count = static_cast<int>(robot_.moving.size());
-    for (int i = 0; i < count; ++i) {
+    // From the hand to the base: what moves farthest is blocked first, and lanes behind that need no looking at.
+    for (int i = count - 1; i >= 0 && !ended(); --i) {
       place(i);
       sweep(i);
-    }
-    for (int i = 0; i < count && !ended(); ++i)
       if (robot_.meets_obstacles[static_cast<std::size_t>(i)]) lookAtObstacles(i);
+    }
     for (const LanePair& pair : robot_.pairs) {
       if (ended()) return;
       if (pair.b < world_.moving_end && !sweptMeet(pair.a, pair.b)) continue;
@@ -90,7 +89,7 @@ class Block {
     }
   }
 
-  // The box around all that body i reaches from any of the configurations.
+  // The box around all that body i reaches from any of the configurations that are of interest.
   void sweep(int i) {
     const V motion = constant(query_.body_motion_m ? query_.body_motion_m[i] : 0.0f);
     const V around = constant(body(i).margin + world_.clear_m);
@@ -99,14 +98,15 @@ class Block {
       low[k] = constant(kFar);
       high[k] = constant(-kFar);
     }
-    for (int lane = 0; lane < query_.used; lane += width_) {
+    for (int lane = 0; lane < query_.used && (active_ >> lane) != 0; lane += width_) {
+      const auto of_interest = maskOf((active_ >> lane) & lane_mask_);
       const V more = hn::MulAdd(motion, hn::LoadU(d_, query_.reach + lane), around);
       for (int k = 0; k < 3; ++k) {
         const V middle = hn::Load(d_, placed(i) + (9 + k) * kLanes + lane);
         const V extent = hn::Add(hn::Load(d_, placed(i) + (12 + k) * kLanes + lane), more);
         const V below = hn::Sub(middle, extent), above = hn::Add(middle, extent);
-        low[k] = hn::Min(low[k], below);
-        high[k] = hn::Max(high[k], above);
+        low[k] = hn::IfThenElse(of_interest, hn::Min(low[k], below), low[k]);
+        high[k] = hn::IfThenElse(of_interest, hn::Max(high[k], above), high[k]);
       }
     }
     for (int k = 0; k < 3; ++k) {
