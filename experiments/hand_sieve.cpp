@@ -8,7 +8,7 @@ namespace b4p {
 namespace {
 
 constexpr std::size_t kAtOnce = 16;
-constexpr int kRounds = 2;
+constexpr int kRounds = 4;
 /// A straight way of this many steps leads out.
 constexpr int kWayOutSteps = 4;
 

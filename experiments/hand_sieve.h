@@ -28,7 +28,8 @@ class HandSieve {
             Retreat& retreat);
 
   /// A grasp whose hand is free around the object at X_WO and, among a few draws, one that has a straight way
-  /// out where there is such. A hand without one may still turn out of its place. Nothing when no hand was free.
+  /// out where there is such. A hand without one may still turn out of its place. Nothing when no hand was
+  /// free.
   std::optional<Grasp> draw(const Eigen::Isometry3d& X_WO, std::mt19937_64& random);
 
  private:

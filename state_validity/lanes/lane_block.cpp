@@ -76,7 +76,8 @@ class Block {
   void runAll() {
     if (!query_.each) tryLastHit();
     const int count = static_cast<int>(robot_.moving.size());
-    // From the hand to the base: what moves farthest is blocked first, and lanes behind that need no looking at.
+    // From the hand to the base: what moves farthest is blocked first, and lanes behind that need no looking
+    // at.
     for (int i = count - 1; i >= 0 && !ended(); --i) {
       place(i);
       sweep(i);

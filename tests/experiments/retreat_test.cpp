@@ -16,9 +16,17 @@ namespace {
 
 constexpr double kStep_m = 0.04;
 
+struct StickHand {
+  Problem problem = makeProblem(loadScene("stick"));
+  std::shared_ptr<const CollisionChecker> checker =
+      FloatingBody::makeChecker(problem.checker->problem(), FloatingBody::Parts::kGripper, *problem.checker);
+  FloatingBody hand{*checker};
+};
+
 TEST(Retreat, StepsAreStraightAndTurnNothing) {
-  const auto robot = makeProblem(loadScene("stick")).robot;
-  Retreat retreat(robot);
+  StickHand stick;
+  const auto& robot = stick.problem.robot;
+  Retreat retreat(robot, stick.hand);
   std::mt19937 random(3);
   int answered = 0;
   for (int posture = 0; posture < 50; ++posture) {
@@ -41,8 +49,9 @@ TEST(Retreat, StepsAreStraightAndTurnNothing) {
 }
 
 TEST(Retreat, KnowsTheHandsAxesAndAllNeighboursOfACube) {
-  const auto robot = makeProblem(loadScene("stick")).robot;
-  Retreat retreat(robot);
+  StickHand stick;
+  const auto& robot = stick.problem.robot;
+  Retreat retreat(robot, stick.hand);
   // A posture well inside the workspace, from which every direction has an answer.
   const Eigen::VectorXd q = (Eigen::VectorXd(7) << 0.3, -0.5, 0.2, -2.2, 0.4, 1.9, 0.6).finished();
   const Eigen::Isometry3d from = robot->tcpPose(q.data());

@@ -86,6 +86,17 @@ TEST_P(RetreatTest, SaysThatARootIsBoxedIn) {
   EXPECT_EQ(tree.way_out, 0u);
 }
 
+TEST_P(RetreatTest, TriesWhatTheRegionThinksWorthTryingOnly) {
+  class LeftIsShort : public FourWays {
+    void retreatReach(const double*, GraspId, int steps, int* reach) override {
+      std::fill_n(reach, 4, steps);
+      reach[0] = 1;
+    }
+  } left_is_short;
+  Tree& tree = treeAt(2.0, 5.0);
+  EXPECT_EQ(retreat(tree, 3, left_is_short, *motion, scratch), 10u);
+}
+
 TEST_P(RetreatTest, HappensOnceAndNotAtAllWithoutSteps) {
   Tree& tree = treeAt(2.0, 5.0);
   EXPECT_EQ(retreat(tree, 0, ways, *motion, scratch), 0u);
