@@ -18,8 +18,17 @@ def main() -> None:
     parser.add_argument(
         "folder", metavar="FOLDER", type=Path, help="`b4p bench` on scenes that scaling_scenes.py wrote"
     )
-    parser.add_argument("--speedup", metavar="FILE", type=Path, nargs="*", default=[], help="of `b4p simulate`")
-    parser.add_argument("--nodes", metavar="FILE", type=Path, nargs="*", default=[], help="of nearest_benchmark, worker_benchmark (JSON)")
+    parser.add_argument(
+        "--speedup", metavar="FILE", type=Path, nargs="*", default=[], help="of `b4p simulate`"
+    )
+    parser.add_argument(
+        "--nodes",
+        metavar="FILE",
+        type=Path,
+        nargs="*",
+        default=[],
+        help="of nearest_benchmark, worker_benchmark (JSON)",
+    )
     parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where files go")
     arguments = parser.parse_args()
     found = curves(read_records(arguments.folder))

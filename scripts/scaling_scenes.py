@@ -28,10 +28,18 @@ OPEN, LEFT = "open", {"floor"}
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("scene", metavar="SCENE", type=Path, help="scene file of pick and place")
-    parser.add_argument("--queries", metavar="FILE", type=Path, required=True, help="its `b4p export`: the grasps")
-    parser.add_argument("--result", metavar="FILE", type=Path, required=True, help="its `b4p plan`: the grasp that works")
-    parser.add_argument("--instance", metavar="N", type=int, required=True, help="in names of scenes, and seed")
-    parser.add_argument("--most", metavar="N", type=int, default=AMOUNTS[-1], help="largest amount [%(default)s]")
+    parser.add_argument(
+        "--queries", metavar="FILE", type=Path, required=True, help="its `b4p export`: the grasps"
+    )
+    parser.add_argument(
+        "--result", metavar="FILE", type=Path, required=True, help="its `b4p plan`: the grasp that works"
+    )
+    parser.add_argument(
+        "--instance", metavar="N", type=int, required=True, help="in names of scenes, and seed"
+    )
+    parser.add_argument(
+        "--most", metavar="N", type=int, default=AMOUNTS[-1], help="largest amount [%(default)s]"
+    )
     parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where scenes go")
     arguments = parser.parse_args()
     amounts = [amount for amount in AMOUNTS if amount <= arguments.most]

@@ -40,7 +40,11 @@ def draw_curves(axes: Axes, axis: str, curves: Curves) -> None:
         bars = [
             [MILLISECONDS * (point.quartiles_s[1] - point.quartiles_s[0]) for point in known],
             [
-                MILLISECONDS * (point.quartiles_s[2] - point.quartiles_s[1]) if isfinite(point.quartiles_s[2]) else 0.0
+                (
+                    MILLISECONDS * (point.quartiles_s[2] - point.quartiles_s[1])
+                    if isfinite(point.quartiles_s[2])
+                    else 0.0
+                )
                 for point in known
             ],
         ]
@@ -56,7 +60,9 @@ def draw_costs(axes: Axes, costs: dict[str, list[Cost]]) -> None:
     _finish(axes, "nodes", "processor time (µs)")
 
 
-def plot_scaling(found: dict[str, Curves], studies: list[Study], costs: dict[str, list[Cost]], file: Path) -> None:
+def plot_scaling(
+    found: dict[str, Curves], studies: list[Study], costs: dict[str, list[Cost]], file: Path
+) -> None:
     drawings = [(draw_curves, axis, found[axis]) for axis in AXES if axis in found]
     drawings += [(draw_speedup, study) for study in studies]
     drawings += [(draw_costs, costs)] if costs else []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How cost grows with the work: runs on scenes named AXIS_SERIES_INSTANCE_AMOUNT, and cost by the size of a tree."""
+"""How cost grows with the work: runs on scenes named AXIS_SERIES_INSTANCE_AMOUNT; cost by the size of a tree."""
 
 import json
 import re
@@ -63,7 +63,7 @@ class Cost:
 
 
 def benchmark_times(file: Path) -> dict[str, float]:
-    """Processor time (s) of each benchmark in a JSON file of Google Benchmark, the median where there are repetitions."""
+    """Processor time (s) of each benchmark in a JSON file of Google Benchmark, the median of repetitions."""
     with reading(file, "file of Google Benchmark"):
         times = {}
         for one in json.loads(file.read_text())["benchmarks"]:
@@ -72,7 +72,9 @@ def benchmark_times(file: Path) -> dict[str, float]:
         return times
 
 
-def _costs(times: dict[str, float], pattern: re.Pattern, series: Callable[[re.Match], str | None], size: str) -> dict:
+def _costs(
+    times: dict[str, float], pattern: re.Pattern, series: Callable[[re.Match], str | None], size: str
+) -> dict:
     found: dict[str, list[Cost]] = {}
     for name, time_s in times.items():
         match = pattern.match(name)
@@ -99,7 +101,9 @@ def step_costs(times: dict[str, float]) -> dict[str, list[Cost]]:
 def _cell(point: Point | None) -> str:
     if point is None:
         return ""
-    low, middle, high = (f"{MILLISECONDS * value:.3g}" if isfinite(value) else "-" for value in point.quartiles_s)
+    low, middle, high = (
+        f"{MILLISECONDS * value:.3g}" if isfinite(value) else "-" for value in point.quartiles_s
+    )
     missed = f", {point.solved} of {point.runs} solved" if point.solved < point.runs else ""
     return f"{middle} ({low} ... {high}){missed}"
 
@@ -111,7 +115,8 @@ def _table(heading: str, rows: dict[str, dict[int, str]]) -> str:
         "|---" * (len(amounts) + 1) + "|",
     ]
     lines += [
-        f"| {series} | " + " | ".join(cells.get(amount, "") for amount in amounts) + " |" for series, cells in rows.items()
+        f"| {series} | " + " | ".join(cells.get(amount, "") for amount in amounts) + " |"
+        for series, cells in rows.items()
     ]
     return "\n".join(lines) + "\n"
 
@@ -120,14 +125,18 @@ def markdown(found: dict[str, Curves], costs: dict[str, list[Cost]]) -> str:
     text = ""
     for axis, title in AXES.items():
         if axis in found:
-            rows = {name: {point.amount: _cell(point) for point in curve} for name, curve in found[axis].items()}
+            rows = {
+                name: {point.amount: _cell(point) for point in curve} for name, curve in found[axis].items()
+            }
             text += _table(title, rows) + "\n"
     if costs:
         rows = {
-            name: {one.nodes: f"{MICROSECONDS * one.time_s:.3g}" for one in curve} for name, curve in costs.items()
+            name: {one.nodes: f"{MICROSECONDS * one.time_s:.3g}" for one in curve}
+            for name, curve in costs.items()
         }
         text += _table("nodes", rows) + "\n"
     return (
-        text + "Grasps and obstacles: processor time to a verified path in ms, median (quartiles); runs without one count as "
+        text
+        + "Grasps and obstacles: processor time to a verified path in ms, median (quartiles); runs without one count as "
         "longer than the limit. Nodes: processor time of one operation in µs.\n"
     )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes that differ in the number of grasps offered, or of obstacles, and in nothing else.
 
-Obstacles are added where the arm never comes (`far`), or inside boxes that stand in the scene already (`near`). Either
-way the free space is the same, so that what differs is what a check costs.
+Obstacles are added where the arm never comes (`far`), or inside boxes that stand in the scene already (`near`).
+Either way the free space is the same, so that what differs is what a check costs.
 """
 
 import json
@@ -31,7 +31,6 @@ def read_yaml(file: Path) -> Scene:
 
 
 def write_yaml(file: Path, scene: Scene) -> None:
-    # Without flow style a list of three numbers takes three lines; files are larger but read the same.
     dumper = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
     with replacing(file) as temporary:
         temporary.write_text(yaml.dump(scene, Dumper=dumper, sort_keys=False, default_flow_style=None))
@@ -60,7 +59,7 @@ def solved_grasp(file: Path) -> Row:
 
 
 def offered(compatible: Row, others: list[Row], amount: int, seed: int) -> list[Row]:
-    """One grasp that is known to work and `amount` - 1 others, of which some may work too, in a random order."""
+    """A grasp that is known to work and `amount` - 1 others, of which some may work too, in random order."""
     rows = [compatible, *others[: amount - 1]]
     if len(rows) < amount:
         raise ValueError(f"{len(others)} grasps are too few for a list of {amount}")
@@ -83,14 +82,20 @@ def far_box(draw: random.Random) -> dict:
     around, away = draw.uniform(-math.pi, math.pi), draw.uniform(*FAR_M)
     return {
         "box": {"size_m": [round(draw.uniform(*SIDES_M), 5) for _ in range(3)]},
-        "position_m": [round(value, 5) for value in (away * math.cos(around), away * math.sin(around), draw.uniform(0, 2))],
+        "position_m": [
+            round(value, 5)
+            for value in (away * math.cos(around), away * math.sin(around), draw.uniform(0, 2))
+        ],
     }
 
 
 def box_inside(draw: random.Random, boxes: list[dict]) -> dict:
     """Parallel to the box it is in."""
     outer = draw.choice(boxes)
-    size = [share * side for share, side in zip((draw.uniform(0.05, INSIDE) for _ in range(3)), outer["box"]["size_m"])]
+    size = [
+        share * side
+        for share, side in zip((draw.uniform(0.05, INSIDE) for _ in range(3)), outer["box"]["size_m"])
+    ]
     offset = [draw.uniform(-1, 1) * (a - b) / 2 for a, b in zip(outer["box"]["size_m"], size)]
     # Rounding outwards would leave the outer box.
     return {

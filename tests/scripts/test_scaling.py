@@ -33,7 +33,9 @@ def instance(tmp_path: Path) -> Path:
     (tmp_path / "grocery_7.yaml").write_text(yaml.safe_dump(SCENE))
     grasps = [{"X_OT": {**POSE, "position_m": [float(i), 0.0, 0.0]}, "opening_m": 0.05} for i in range(100)]
     (tmp_path / "q.jsonl").write_text(json.dumps({"grasps": grasps}) + "\n")
-    (tmp_path / "r.json").write_text(json.dumps({"solved": True, "grasp": {"X_OT": POSE, "opening_m": 0.064}}))
+    (tmp_path / "r.json").write_text(
+        json.dumps({"solved": True, "grasp": {"X_OT": POSE, "opening_m": 0.064}})
+    )
     return tmp_path
 
 
@@ -62,7 +64,9 @@ def test_obstacles_are_added_to_the_amount_and_change_nothing_else(script, insta
     names = [Path(line).stem for line in result.stdout.splitlines()]
     for series, own in (("grocery", 3), ("open", 1)):
         for where in ("far", "near"):
-            amounts = [int(name.split("_")[-1]) for name in names if name.startswith(f"obstacles_{series}_{where}")]
+            amounts = [
+                int(name.split("_")[-1]) for name in names if name.startswith(f"obstacles_{series}_{where}")
+            ]
             assert amounts == [amount for amount in sorted({own, 10, 100, *([1] if own == 1 else [])})]
             scene = yaml.safe_load((instance / "out" / f"obstacles_{series}_{where}_7_100.yaml").read_text())
             assert len({one["name"] for one in scene["obstacles"]}) == len(scene["obstacles"]) == 100
@@ -75,7 +79,9 @@ def test_near_boxes_lie_inside_upright_boxes_of_the_scene():
     floor = SCENE["obstacles"][0]
     for one in scene["obstacles"][3:]:
         for axis in range(3):
-            outside = abs(one["position_m"][axis] - floor["position_m"][axis]) + one["box"]["size_m"][axis] / 2
+            outside = (
+                abs(one["position_m"][axis] - floor["position_m"][axis]) + one["box"]["size_m"][axis] / 2
+            )
             assert outside <= floor["box"]["size_m"][axis] / 2
             assert one["box"]["size_m"][axis] > 0
 
@@ -120,8 +126,12 @@ def run_line(scene: str, number: int, cpu_s: float | None) -> dict:
 def folder(tmp_path: Path) -> Path:
     runs = tmp_path / "runs"
     runs.mkdir()
-    lines = [run_line(f"grasps_grocery_{seed}_10", 1, cpu_s) for seed, cpu_s in ((7, 0.1), (8, 0.2), (9, 0.3))]
-    lines += [run_line(f"grasps_grocery_{seed}_1", 1, cpu_s) for seed, cpu_s in ((7, None), (8, None), (9, 0.3))]
+    lines = [
+        run_line(f"grasps_grocery_{seed}_10", 1, cpu_s) for seed, cpu_s in ((7, 0.1), (8, 0.2), (9, 0.3))
+    ]
+    lines += [
+        run_line(f"grasps_grocery_{seed}_1", 1, cpu_s) for seed, cpu_s in ((7, None), (8, None), (9, 0.3))
+    ]
     lines += [run_line("obstacles_open_near_7_1000", number, 0.02) for number in (1, 2)]
     (runs / "runs.jsonl").write_text("".join(json.dumps(one) + "\n" for one in lines))
     return runs
