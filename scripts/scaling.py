@@ -16,7 +16,11 @@ from b4p_files.speedup import markdown as speedup_markdown
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
-        "folder", metavar="FOLDER", type=Path, help="`b4p bench` on scenes that scaling_scenes.py wrote"
+        "folders",
+        metavar="FOLDER",
+        type=Path,
+        nargs="+",
+        help="`b4p bench` on scenes that scaling_scenes.py wrote",
     )
     parser.add_argument(
         "--speedup", metavar="FILE", type=Path, nargs="*", default=[], help="of `b4p simulate`"
@@ -31,7 +35,7 @@ def main() -> None:
     )
     parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where files go")
     arguments = parser.parse_args()
-    found = curves(read_records(arguments.folder))
+    found = curves([record for folder in arguments.folders for record in read_records(folder)])
     studies = [read_study(file) for file in arguments.speedup]
     costs = {}
     for file in arguments.nodes:

@@ -8,21 +8,22 @@
 #                           [--most N] [--time-limit-s S] [--help]
 #   --no-install         take what is installed
 #   --out FOLDER         where results go (default: out/scaling in the source tree)
-#   --instances N        grocery instances (default: 4)
+#   --instances N        grocery instances (default: 3)
 #   --first-seed SEED    seed of the first one; the others follow, those left out that B4P does not solve in 10 s
 #                        (default: 401)
-#   --runs N             runs per scene, and per number of workers (default: the experiment's, 5)
+#   --runs N             runs per scene with obstacles; four times as many with grasps, and per number of workers
+#                        (default: 3)
 #   --most N             largest number of grasps and obstacles: 1, 10, 100, 1000 or 10000 (default: 10000)
-#   --time-limit-s S     time limit of a run (default: the experiment's, 10)
+#   --time-limit-s S     time limit of a run (default: 10)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install=yes
 out="$root/out/scaling"
-instances=4
+instances=3
 first_seed=401
-runs=5
+runs=3
 most=10000
 limit_s=10
 while (($#)); do
@@ -50,8 +51,7 @@ for number in "$instances" "$first_seed" "$runs" "$most"; do
 done
 
 [[ $install == no ]] || "$root/scripts/install.sh"
-targets=(nearest_benchmark worker_benchmark)
-build_release b4p "${targets[@]}"
+build_release b4p nearest_benchmark worker_benchmark
 b4p="$root/build/release/experiments/b4p"
 benchmarks="$root/build/release/experiments/benchmarks"
 
@@ -75,11 +75,18 @@ for ((seed = first_seed; ${#seeds[@]} < instances; ++seed)); do
     --instance "$seed" --most "$most" -o "$out/scenes" >"$out/scenes/$seed.list.part"
   mv "$out/scenes/$seed.list.part" "$out/scenes/$seed.list"
 done
-list=$(for seed in "${seeds[@]}"; do cat "$out/scenes/$seed.list"; done | sed 's|.*/|, scenes/|' | tr -d '\n')
-sed "s|^scenes:.*|scenes: [${list:2}]|" "$root/experiments/scaling/scaling.yaml" >"$out/scaling.yaml"
 
-heading "Grasps and obstacles"
-resume_bench "$out/scaling.yaml" "$out/runs" --runs "$runs" --time-limit-s "$limit_s"
+# Usage: measure_axis AXIS RUNS
+measure_axis() {
+  local list
+  list=$(for seed in "${seeds[@]}"; do grep "/$1_" "$out/scenes/$seed.list"; done | sed 's|.*/|, scenes/|' | tr -d '\n')
+  sed "s|^scenes:.*|scenes: [${list:2}]|" "$root/experiments/scaling/scaling.yaml" >"$out/$1.yaml"
+  heading "${1^}"
+  resume_bench "$out/$1.yaml" "$out/$1" --runs "$2" --time-limit-s "$limit_s"
+  require_sound_runs "$out/$1"
+}
+measure_axis grasps "$((4 * runs))"
+measure_axis obstacles "$runs"
 
 heading "Workers"
 for ways in "--workers 1,2,4,8,16,32" "--workers 1,2 --real-threads"; do
@@ -96,11 +103,10 @@ measure() { # FILE PROGRAM [OPTION...]
   "$benchmarks/$2" "${@:3}" --benchmark_out="$1.part" --benchmark_out_format=json
   mv "$1.part" "$1"
 }
-measure "$out/nearest.json" nearest_benchmark '--benchmark_filter=^query/tree/7/(10|100|1000|10000|100000)/(0|512)$|^query/tree/7/1000000/512$'
+measure "$out/nearest.json" nearest_benchmark '--benchmark_filter=^query/tree/7/(10|100|1000|10000|100000)/(0|512)$|^query/tree/7/(10|100)/128$|^query/tree/7/1000000/512$'
 measure "$out/steps.json" worker_benchmark '--benchmark_filter=/step/'
 
 heading "Plot and tables"
-"$python" "$root/scripts/scaling.py" "$out/runs" --speedup "$out/workers.jsonl" \
+"$python" "$root/scripts/scaling.py" "$out/grasps" "$out/obstacles" --speedup "$out/workers.jsonl" \
   --nodes "$out/nearest.json" "$out/steps.json" -o "$out"
 heading "Done: look at $out/scaling.png and $out/scaling.md"
-require_sound_runs "$out/runs"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the parts of B4P's default search cost on the shipped scenes, and how often they allocate:
-// SCENE/step/NODES is one step of a worker whose forests have NODES nodes (to 1.2 times as many), with a
+// SCENE/step/NODES is one step of a worker whose forests have NODES nodes (up to twice as many), with a
 // grasp that has roots at both ends and, as far as is known, no path: nothing ends the search. SCENE/pick
 // draws a grasp for a placement, SCENE/place asks for a place root of a known grasp (Eq. 3), SCENE/retreat
 // goes one step straight out of a pick.
@@ -25,7 +25,7 @@
 namespace b4p {
 namespace {
 
-constexpr double kGrowth = 1.2;
+constexpr double kGrowth = 2.0;
 constexpr double kPatience_s = 60.0;
 
 /// A grasp of a scene's certificate with roots at both ends and no known path.

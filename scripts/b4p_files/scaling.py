@@ -17,7 +17,7 @@ AXES = {"grasps": "grasps offered", "obstacles": "obstacles"}
 NAME = re.compile(r"(?P<axis>[a-z]+)_(?P<series>.+)_\d+_(?P<amount>\d+)")
 NEAREST = re.compile(r"query/tree/(?P<joints>\d+)/(?P<points>\d+)/(?P<leaf>\d+)(/|$)")
 STEP = re.compile(r"(?P<scene>[a-z]+)/step/(?P<nodes>\d+)(/|$)")
-ARM_JOINTS, LEAF = 7, 512  # docs/nearest.md
+ARM_JOINTS, LEAF, SMALL_LEAF = 7, 512, 128  # docs/nearest.md: up to a leaf of points there is one leaf
 MILLISECONDS, MICROSECONDS = 1e3, 1e6
 NANOSECONDS_IN = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
 
@@ -87,8 +87,12 @@ def nearest_costs(times: dict[str, float]) -> dict[str, list[Cost]]:
     """Of asking for the nearest of so many nodes, an arm's joints."""
 
     def label(match: re.Match) -> str | None:
-        names = {LEAF: "nearest node", 0: "nearest node, OMPL's GNAT"}
-        return names.get(int(match["leaf"])) if int(match["joints"]) == ARM_JOINTS else None
+        leaf, points = int(match["leaf"]), int(match["points"])
+        if int(match["joints"]) != ARM_JOINTS:
+            return None
+        if leaf == LEAF or (leaf == SMALL_LEAF and points <= SMALL_LEAF):
+            return "nearest node"
+        return "nearest node, OMPL's GNAT" if leaf == 0 else None
 
     return _costs(times, NEAREST, label, "points")
 

@@ -142,7 +142,8 @@ def benchmark_file(file: Path) -> Path:
         {"run_name": name, "run_type": "iteration", "cpu_time": time, "time_unit": unit}
         for name, time, unit in (
             ("query/tree/7/1000/512", 500.0, "ns"),
-            ("query/tree/7/10/512", 0.08, "us"),
+            ("query/tree/7/10/128", 0.08, "us"),
+            ("query/tree/7/1000/128", 900.0, "ns"),
             ("query/tree/7/1000/0", 8000.0, "ns"),
             ("query/tree/3/1000/512", 200.0, "ns"),
             ("query/uniform/7/1000/512", 200.0, "ns"),
