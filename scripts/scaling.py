@@ -37,10 +37,8 @@ def main() -> None:
     arguments = parser.parse_args()
     found = curves([record for folder in arguments.folders for record in read_records(folder)])
     studies = [read_study(file) for file in arguments.speedup]
-    costs = {}
-    for file in arguments.nodes:
-        times = benchmark_times(file)
-        costs |= nearest_costs(times) | step_costs(times)
+    times = {name: time_s for file in arguments.nodes for name, time_s in benchmark_times(file).items()}
+    costs = nearest_costs(times) | step_costs(times)
     make_folder(arguments.out)
     with replacing(arguments.out / "scaling.md") as temporary:
         temporary.write_text(markdown(found, costs) + ("\n" + speedup_markdown(studies) if studies else ""))
