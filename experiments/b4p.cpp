@@ -36,6 +36,7 @@ int runCommandLine(int argc, char** argv) {
   addVerifyCommand(app, run);
   addGenerateCommand(app, run);
   addImportCommand(app, run);
+  addExportCommand(app, run);
   addCertifyCommand(app, run);
   addPlaceCommand(app, run);
   addSurfacesCommand(app, run);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "robots/grasp.h"
 #include "robots/shape.h"
 
 namespace b4p {
@@ -14,6 +15,7 @@ enum class GraspFamily {
   kPolygonEdges,  ///< planar robot: one grasp per polygon edge, at its midpoint, along the inward normal
   kBox,           ///< parallel gripper on a box: pads on two opposite faces no farther apart than the opening
   kStick,         ///< parallel gripper across a round stick, anywhere along it, from any side
+  kListed,        ///< those listed, whatever they hold
 };
 
 /// How grasps are drawn.
@@ -28,6 +30,8 @@ struct GraspSource {
   double finger_depth_m = 0.0;   ///< kBox: how far the TCP reaches past the face it approaches through;
                                  ///< kStick: past the side of the stick it approaches from
   double pad_clearance_m = 0.0;  ///< gap left between the object and each pad (or the gripper's front)
+  std::vector<Grasp> listed;     ///< kListed
+  std::string grasp_file;        ///< kListed: where they come from, row by row
 };
 
 /// Where the object's origin may come to rest, in the world.

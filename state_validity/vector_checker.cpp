@@ -2,6 +2,10 @@
 #include <utility>
 
 #include "state_validity/lanes/lane_block.h"
+#ifndef NDEBUG
+#include "state_validity/compared_context.h"
+#include "state_validity/fcl_context.h"
+#endif
 #include "state_validity/vector_context.h"
 
 namespace b4p {
@@ -14,7 +18,12 @@ class VectorChecker : public CollisionChecker {
         model_(std::make_shared<const lanes::LaneModel>(*world_)) {}
 
   std::unique_ptr<CollisionContext> makeContext() const override {
-    return std::make_unique<VectorContext>(world_, model_);
+    auto context = std::make_unique<VectorContext>(world_, model_);
+#ifdef NDEBUG
+    return context;
+#else
+    return std::make_unique<ComparedContext>(std::move(context), std::make_unique<FclContext>(world_));
+#endif
   }
   const CollisionProblem& problem() const override { return world_->problem(); }
 

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <iterator>
 #include <sstream>
+#include <vector>
 
 #include "robots/input_error.h"
 
@@ -31,7 +32,10 @@ std::string content(const std::string& file) {
 
 std::string sceneDigest(const Scene& scene) {
   std::uint64_t hash = 0xcbf29ce484222325;
-  for (const std::string& file : {scene.file, scene.robot.file, scene.robot.urdf_file}) {
+  std::vector<std::string> files{scene.file, scene.robot.file, scene.robot.urdf_file};
+  const auto* task = std::get_if<PickPlaceTask>(&scene.task);
+  if (task != nullptr && !task->grasps.grasp_file.empty()) files.push_back(task->grasps.grasp_file);
+  for (const std::string& file : files) {
     const std::string bytes = content(file);
     add(std::to_string(bytes.size()) + "\n" + bytes, hash);  // the length keeps the files apart
   }

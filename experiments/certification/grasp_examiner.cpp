@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/certification/grasp_examiner.h"
 
-#include <random>
 #include <utility>
 
 #include "experiments/certification/planar/planar_scene.h"
@@ -36,11 +35,7 @@ std::string outcomeText(RootOutcome outcome, const std::string& collision) {
 
 std::vector<Grasp> drawnGrasps(const Scene& scene, const Manipulator& robot, int count, std::uint64_t seed) {
   const auto sampler = makeGraspSampler(scene.pickPlace().grasps, robot.description().max_opening_m);
-  if (!sampler->all().empty()) return sampler->all();
-  std::mt19937_64 random(derivedSeed(seed, kGraspStream));
-  std::vector<Grasp> grasps;
-  for (int i = 0; i < count; ++i) grasps.push_back(sampler->sample(random));
-  return grasps;
+  return drawGrasps(*sampler, count, derivedSeed(seed, kGraspStream));
 }
 
 }  // namespace

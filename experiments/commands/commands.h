@@ -27,6 +27,7 @@ void addSimulateCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
 void addGenerateCommand(CLI::App& app, Run& run);
 void addImportCommand(CLI::App& app, Run& run);
+void addExportCommand(CLI::App& app, Run& run);
 void addCertifyCommand(CLI::App& app, Run& run);
 void addPlaceCommand(CLI::App& app, Run& run);
 void addSurfacesCommand(CLI::App& app, Run& run);

@@ -36,6 +36,8 @@ std::string sceneContent(const Scene& scene) {
   std::string content = contentOf(scene.file);
   if (const auto* reach = std::get_if<ReachTask>(&scene.task); reach && !reach->grasp_file.empty())
     content += contentOf(reach->grasp_file);
+  if (const auto* task = std::get_if<PickPlaceTask>(&scene.task); task && !task->grasps.grasp_file.empty())
+    content += contentOf(task->grasps.grasp_file);
   if (const auto* placing = std::get_if<PlacementTask>(&scene.task))
     for (const PlacementArm& arm : placing->arms)
       if (arm.robot_file != scene.robot.file) content += contentOf(arm.robot_file) + contentOf(arm.urdf_file);

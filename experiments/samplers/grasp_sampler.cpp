@@ -116,6 +116,14 @@ Grasp StickGraspSampler::sample(std::mt19937_64& random) const {
   return grasp;
 }
 
+std::vector<Grasp> drawGrasps(const GraspSampler& sampler, int count, std::uint64_t seed) {
+  if (!sampler.all().empty()) return sampler.all();
+  std::mt19937_64 random(seed);
+  std::vector<Grasp> grasps;
+  for (int i = 0; i < count; ++i) grasps.push_back(sampler.sample(random));
+  return grasps;
+}
+
 std::unique_ptr<const GraspSampler> makeGraspSampler(const GraspSource& source, double max_opening_m) {
   if (source.family == GraspFamily::kPolygonEdges)
     return std::make_unique<PolygonEdgeGraspSampler>(source.polygon_m, source.pad_clearance_m);
@@ -124,6 +132,7 @@ std::unique_ptr<const GraspSampler> makeGraspSampler(const GraspSource& source, 
         StickGrasps{source.stick_length_m, source.stick_radius_m, source.margin_m, source.finger_depth_m,
                     source.pad_clearance_m},
         max_opening_m);
+  if (source.family == GraspFamily::kListed) return std::make_unique<ListedGraspSampler>(source.listed);
   return std::make_unique<BoxGraspSampler>(source.box_size_m, source.finger_depth_m, source.pad_clearance_m,
                                            max_opening_m);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <random>
 #include <utility>
@@ -84,6 +85,9 @@ class StickGraspSampler : public GraspSampler {
   StickGrasps stick_;
   std::vector<Grasp> none_;
 };
+
+/// All grasps of a finite family; of others `count` draws, which depend on `seed` alone.
+std::vector<Grasp> drawGrasps(const GraspSampler& sampler, int count, std::uint64_t seed);
 
 std::unique_ptr<const GraspSampler> makeGraspSampler(const GraspSource& source, double max_opening_m);
 

@@ -13,7 +13,7 @@
 namespace b4p {
 namespace {
 
-constexpr std::size_t kColumns = 16;
+constexpr std::size_t kPoseColumns = 16;
 constexpr double kRotationError = 1e-4;
 
 /// One row of the file, which its errors name.
@@ -25,11 +25,14 @@ class Row {
     if (!line.empty() && line.back() == ',') cells_.emplace_back();
   }
 
+  void requireColumns(std::size_t columns) const {
+    if (cells_.size() != columns)
+      fail("has " + std::to_string(cells_.size()) + " columns instead of " + std::to_string(columns));
+  }
+
   Eigen::Isometry3d pose() const {
-    if (cells_.size() != kColumns)
-      fail("has " + std::to_string(cells_.size()) + " columns instead of " + std::to_string(kColumns));
     Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix;
-    for (std::size_t column = 0; column < kColumns; ++column) matrix.data()[column] = number(column);
+    for (std::size_t column = 0; column < kPoseColumns; ++column) matrix.data()[column] = number(column);
     if (matrix.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
       fail("does not end in 0, 0, 0, 1 (" + numberText(matrix(3, 0)) + ", " + numberText(matrix(3, 1)) +
            ", " + numberText(matrix(3, 2)) + ", " + numberText(matrix(3, 3)) + ")");
@@ -42,6 +45,13 @@ class Row {
     X.linear() = Eigen::Quaterniond(R).normalized().toRotationMatrix();
     X.translation() = matrix.topRightCorner<3, 1>();
     return X;
+  }
+
+  double opening_m(double max_opening_m) const {
+    const double opening_m = number(kPoseColumns);
+    if (opening_m < 0.0 || opening_m > max_opening_m)
+      fail("has an opening outside 0 to " + numberText(max_opening_m) + " m (" + numberText(opening_m) + ")");
+    return opening_m;
   }
 
  private:
@@ -73,16 +83,35 @@ class Row {
   std::vector<std::string> cells_;
 };
 
+/// Calls `add` with each row of `columns` numbers.
+template <class Add>
+void readRows(const std::string& file, std::size_t columns, const Add& add) {
+  std::ifstream in(file);
+  if (!in) throw InputError(file, "", "no such file, or it cannot be read");
+  std::size_t rows = 0;
+  for (std::string line; std::getline(in, line);) {
+    const Row row(file, ++rows, line);
+    row.requireColumns(columns);
+    add(row);
+  }
+  if (in.bad()) throw InputError(file, "", "cannot be read");
+  if (rows == 0) throw InputError(file, "", "holds no grasp");
+}
+
 }  // namespace
 
 std::vector<Eigen::Isometry3d> readGraspTable(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file, "", "no such file, or it cannot be read");
   std::vector<Eigen::Isometry3d> poses;
-  for (std::string line; std::getline(in, line);) poses.push_back(Row(file, poses.size() + 1, line).pose());
-  if (in.bad()) throw InputError(file, "", "cannot be read");
-  if (poses.empty()) throw InputError(file, "", "holds no grasp");
+  readRows(file, kPoseColumns, [&poses](const Row& row) { poses.push_back(row.pose()); });
   return poses;
+}
+
+std::vector<Grasp> readHoldingTable(const std::string& file, double max_opening_m) {
+  std::vector<Grasp> grasps;
+  readRows(file, kPoseColumns + 1, [&grasps, max_opening_m](const Row& row) {
+    grasps.push_back({row.pose(), row.opening_m(max_opening_m)});
+  });
+  return grasps;
 }
 
 }  // namespace b4p

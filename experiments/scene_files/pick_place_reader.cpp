@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/scene_files/data_files.h"
+#include "experiments/scene_files/grasp_table.h"
 #include "experiments/scene_files/shape_reader.h"
 #include "experiments/scene_files/task_readers.h"
 
@@ -61,11 +63,20 @@ GraspSource readStickGrasps(const YamlValue& stick, double max_opening_m) {
   return source;
 }
 
+GraspSource readListedGrasps(const YamlValue& file, double max_opening_m) {
+  GraspSource source;
+  source.family = GraspFamily::kListed;
+  source.grasp_file = relativeTo(file.file(), file.text());
+  source.listed = readHoldingTable(source.grasp_file, max_opening_m);
+  return source;
+}
+
 GraspSource readGrasps(const YamlValue& grasps, double max_opening_m) {
-  grasps.allowKeys({"box", "stick", "polygon_edges"});
-  if (grasps.entries().size() != 1) grasps.fail("needs exactly one of box, stick and polygon_edges");
+  grasps.allowKeys({"box", "stick", "polygon_edges", "file"});
+  if (grasps.entries().size() != 1) grasps.fail("needs exactly one of box, stick, polygon_edges and file");
   if (const auto box = grasps.find("box")) return readBoxGrasps(*box, max_opening_m);
   if (const auto stick = grasps.find("stick")) return readStickGrasps(*stick, max_opening_m);
+  if (const auto file = grasps.find("file")) return readListedGrasps(*file, max_opening_m);
   return readPolygonGrasps(grasps["polygon_edges"]);
 }
 

@@ -2,6 +2,7 @@
 #include "experiments/scene.h"
 
 #include <limits>
+#include <set>
 
 #include "experiments/placement/placement_file.h"
 #include "experiments/scene_files/data_files.h"
@@ -34,10 +35,10 @@ RobotFile readRobot(const YamlValue& name, const std::string& scene_file) {
 
 std::vector<Obstacle> readObstacles(const YamlValue& list) {
   std::vector<Obstacle> obstacles;
+  std::set<std::string> names;
   for (const YamlValue& item : list.items()) {
     Obstacle obstacle{item["name"].text(), readPlacedShape(item, {"name"})};
-    for (const Obstacle& other : obstacles)
-      if (other.name == obstacle.name) item["name"].failWithValue("is the name of an earlier obstacle");
+    if (!names.insert(obstacle.name).second) item["name"].failWithValue("is the name of an earlier obstacle");
     obstacles.push_back(std::move(obstacle));
   }
   return obstacles;

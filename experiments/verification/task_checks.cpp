@@ -112,6 +112,20 @@ std::string edgeGraspProblem(const GraspSource& source, const PlanResult& result
   return "";
 }
 
+std::string listedGraspProblem(const GraspSource& source, const PlanResult& result) {
+  const std::string row = "row " + std::to_string(result.grasp_id + 1);
+  if (result.grasp_id < 0 || result.grasp_id >= static_cast<int>(source.listed.size()))
+    return "grasp: " + row + " is none of the " + std::to_string(source.listed.size()) + " listed";
+  const Grasp& listed = source.listed[static_cast<std::size_t>(result.grasp_id)];
+  const double difference = (listed.X_OT.matrix() - result.grasp.X_OT.matrix()).cwiseAbs().maxCoeff();
+  if (difference > kGraspTolerance)
+    return "grasp: differs by " + text(difference) + " from the one of " + row;
+  if (std::abs(listed.opening_m - result.grasp.opening_m) > kGraspTolerance)
+    return "grasp: opening of " + text(result.grasp.opening_m) + " m is not the " + text(listed.opening_m) +
+           " m of " + row;
+  return "";
+}
+
 /// The start orientation, made upright by the shortest turn where the object has to stand.
 Eigen::Matrix3d unturnedOrientation(const Scene& scene) {
   const Eigen::Matrix3d R = scene.pickPlace().X_WO_start.linear();
@@ -215,6 +229,8 @@ std::string graspProblem(const Scene& scene, const PlanResult& result, const Kin
       return stickGraspProblem(scene.pickPlace().grasps, grasp);
     case GraspFamily::kPolygonEdges:
       return edgeGraspProblem(scene.pickPlace().grasps, result);
+    case GraspFamily::kListed:
+      return listedGraspProblem(scene.pickPlace().grasps, result);
   }
   return "grasp: of no known family";
 }

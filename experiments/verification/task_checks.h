@@ -24,8 +24,8 @@ std::string statusProblem(const Scene& scene, const PlanResult& result);
 std::string rowsProblem(const Scene& scene, const PlanResult& result, const Kinematics& robot);
 
 /// The grasp is a pose, its opening one that the gripper has, and it holds the scene's object: pads along two
-/// opposite faces with the TCP between them, across the stick within its margins, or the polygon edge that
-/// grasp_id names.
+/// opposite faces with the TCP between them, across the stick within its margins, or the polygon edge or
+/// listed grasp that grasp_id names.
 std::string graspProblem(const Scene& scene, const PlanResult& result, const Kinematics& robot);
 
 /// The object is picked up where it stands (within 1 mm and 0.2 degrees) and comes to rest inside the

@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT
 
 COMMANDS = ("run.sh", "test.sh")
-SCRIPTS = ("install.sh", "paper.sh", "peers.sh", *COMMANDS)
+SCRIPTS = ("install.sh", "paper.sh", "peers.sh", "scaling.sh", *COMMANDS)
 NOBODY = "65534"
 
 

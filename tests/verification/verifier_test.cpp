@@ -359,6 +359,21 @@ TEST_F(StickGraspTest, OpeningThatDoesNotHoldIt) {
   expectFails(HasSubstr("does not hold the stick"));
 }
 
+TEST_F(VerifierTest, AListedGraspIsTheOneOfItsRow) {
+  scene_.pickPlace().grasps = {};
+  scene_.pickPlace().grasps.family = GraspFamily::kListed;
+  scene_.pickPlace().grasps.listed = {Grasp(), result_.grasp};
+  result_.grasp_id = 1;
+  expectPasses();
+  result_.grasp_id = 0;
+  expectFails(HasSubstr("from the one of row 1"));
+  result_.grasp_id = 2;
+  expectFails("grasp: row 3 is none of the 2 listed");
+  result_.grasp_id = 1;
+  scene_.pickPlace().grasps.listed[1].opening_m -= 1e-5;
+  expectFails(HasSubstr("m of row 2"));
+}
+
 /// A triangle pushed about by a disc whose front is the TCP.
 class EdgeGraspTest : public VerifierTest {
  protected:
