@@ -142,7 +142,7 @@ double TreeSearch::rewardOf(const PlacementOutcome& outcome, bool leaf) const {
                        static_cast<int>(outcome.stable) + static_cast<int>(outcome.better);
     return leaf ? 0.0 : kShare * passed;
   }
-  if (!outcome.stable || !outcome.object_free) return 0.0;
+  if (!outcome.stable || (!outcome.object_free && !outcome.hopeless)) return 0.0;
   const int tests_missed = !outcome.better ? 3 : !outcome.hand_free ? 2 : !outcome.reachable ? 1 : 0;
   return std::ldexp(options_.stage, -tests_missed);
 }

@@ -3,6 +3,8 @@
 // beat the threshold, on any number of threads; tree search learns where placements are, and from what it is
 // told; pruning leaves out only what cannot win; a failing objective or world ends in a status; one seed, one
 // stream; OMPL's planners and B4P run on the goal.
+#include <atomic>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -328,6 +330,34 @@ TEST(PlacementGoal, AFailingWorldIsAStatusNotACrash) {
   EXPECT_THAT(goal->problem(), HasSubstr("no contact with the arm"));
 }
 
+/// Fails wherever it is asked for an arm, with something that is no std::exception.
+struct BrokenArms : ToyPlacement {
+  struct Context : ToyPlacementContext {
+    using ToyPlacementContext::ToyPlacementContext;
+    Eigen::Isometry3d objectPose(GraspId, const double*) override { throw 7; }
+    bool armFree(GraspId, const double*) override { throw 7; }
+  };
+  std::unique_ptr<PlacementContext> makeContext() const override { return std::make_unique<Context>(*this); }
+};
+
+TEST(PlacementGoal, WhateverAWorldThrowsStaysInside) {
+  const ToyProblem problem(std::make_shared<BrokenArms>());
+  Scoped state(problem.space);
+  state->q[0] = state->q[1] = state->q[2] = 0.3;
+  state->grasp = 0;
+  const auto saysWhy = [&](const std::function<void(const PlacementGoal&)>& use) {
+    const auto goal = problem.goal(flat());
+    EXPECT_NO_THROW(use(*goal));
+    EXPECT_THAT(goal->problem(), HasSubstr("unknown type"));
+    EXPECT_FALSE(goal->couldSample());
+  };
+  saysWhy([&](const PlacementGoal& goal) { EXPECT_TRUE(std::isinf(goal.objective(state.get()))); });
+  saysWhy([&](const PlacementGoal& goal) { EXPECT_FALSE(goal.isSatisfied(state.get())); });
+  saysWhy([&](const PlacementGoal& goal) { goal.reportReached(state.get(), 0.0); });
+  Scoped drawn(problem.space);
+  saysWhy([&](const PlacementGoal& goal) { EXPECT_FALSE(goal.sample(drawn.get(), 1)); });
+}
+
 TEST(PlacementGoal, SaysWhyThereIsNothingToSample) {
   auto world = std::make_shared<ToyPlacement>();
   world->surfaces.clear();
@@ -376,6 +406,35 @@ TEST(PlacementObjective, GradientIsThatOfThePlane) {
   });
   const Eigen::Vector3d gradient = objective.planarGradient(ToyPlacement::pose(0.3, 0.1, 0.7, 1.0));
   EXPECT_TRUE(gradient.isApprox(Eigen::Vector3d(3.0, -2.0, 0.5), 1e-9)) << gradient.transpose();
+}
+
+/// Better towards +y, and knows at once where it is below 0.6.
+struct BoundedObjective : PlacementObjective {
+  mutable std::atomic<int> evaluations{0};
+  double evaluate(const Eigen::Isometry3d& X_WO) const override {
+    ++evaluations;
+    return X_WO.translation().y();
+  }
+  double quickBound(const Eigen::Isometry3d& X_WO) const override {
+    return X_WO.translation().y() < 0.6 ? 0.6 : std::numeric_limits<double>::infinity();
+  }
+};
+
+TEST(PlacementGoal, WhatABoundRulesOutIsNotEvaluated) {
+  const ToyProblem problem(halfWorld());
+  const auto objective = std::make_shared<BoundedObjective>();
+  const auto goal = problem.goal(objective);
+  Scoped state(problem.space);
+  goal->setObjectiveThreshold(0.6);
+  ASSERT_TRUE(goal->sample(state.get(), 100000));
+  expectGood(*state.get(), 0.6);
+  const PlacementStatistics counts = goal->statistics();
+  EXPECT_GT(counts.not_better, 0u);
+  EXPECT_EQ(counts.not_better + counts.unreachable + counts.hand_collides + counts.arm_collides +
+                counts.valid + counts.object_collides + counts.unstable,
+            counts.draws);
+  EXPECT_LE(static_cast<std::uint64_t>(objective->evaluations), counts.arm_collides + counts.valid)
+      << "all others are below 0.6";
 }
 
 class PlacementPlanning : public ::testing::TestWithParam<const char*> {};
