@@ -33,9 +33,7 @@ ClearanceObjective::ClearanceObjective(std::shared_ptr<const DistanceField> fiel
 }
 
 double ClearanceObjective::clearance(const Eigen::Isometry3d& X_WO) const {
-  double sum = 0.0;
-  for (const Eigen::Vector3d& p_O : points_O_) sum += field_->at(X_WO * p_O);
-  return sum / static_cast<double>(points_O_.size());
+  return field_->mean(X_WO, points_O_);
 }
 
 double ClearanceObjective::evaluate(const Eigen::Isometry3d& X_WO) const {
