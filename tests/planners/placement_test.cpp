@@ -437,7 +437,14 @@ TEST(PlacementGoal, WhatABoundRulesOutIsNotEvaluated) {
       << "all others are below 0.6";
 }
 
-class PlacementPlanning : public ::testing::TestWithParam<const char*> {};
+class PlacementPlanning : public ::testing::TestWithParam<const char*> {
+ protected:
+  static ob::PlannerPtr plannerFor(const ToyProblem& problem) {
+    if (std::string(GetParam()) == "RRTConnect")
+      return std::make_shared<ompl::geometric::RRTConnect>(problem.si);
+    return std::make_shared<B4P>(problem.si);
+  }
+};
 
 TEST_P(PlacementPlanning, PathEndsInThePlacementAndCostsItsObjective) {
   const ToyProblem problem(halfWorld());
@@ -452,11 +459,7 @@ TEST_P(PlacementPlanning, PathEndsInThePlacementAndCostsItsObjective) {
     pdef->addStartState(start);
   }
   pdef->setGoal(goal);
-  ob::PlannerPtr planner;
-  if (std::string(GetParam()) == "RRTConnect")
-    planner = std::make_shared<ompl::geometric::RRTConnect>(problem.si);
-  else
-    planner = std::make_shared<B4P>(problem.si);
+  const ob::PlannerPtr planner = plannerFor(problem);
   planner->setProblemDefinition(pdef);
   ASSERT_EQ(planner->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
   auto& path = *pdef->getSolutionPath()->as<ompl::geometric::PathGeometric>();
@@ -467,6 +470,30 @@ TEST_P(PlacementPlanning, PathEndsInThePlacementAndCostsItsObjective) {
   EXPECT_DOUBLE_EQ(path.cost(objective).value(), last->q[1]);
   EXPECT_TRUE(objective->isCostBetterThan(ob::Cost(0.6), ob::Cost(0.5)));
   EXPECT_FALSE(objective->isSatisfied(ob::Cost(1e9)));
+}
+
+TEST_P(PlacementPlanning, AGoalWithNothingToGiveEndsInAStatus) {
+  auto bare = halfWorld();
+  bare->surfaces.clear();
+  const auto nan = objectiveOf([](double, double) { return std::nan(""); });
+  for (const auto& [world, objective] : {std::pair(bare, flat()), {halfWorld(), nan}}) {
+    const ToyProblem problem(world);
+    auto pdef = std::make_shared<ob::ProblemDefinition>(problem.si);
+    Scoped start(problem.space);
+    start->q[0] = start->q[1] = start->q[2] = 0.0;
+    start->grasp = 0;
+    pdef->addStartState(start);
+    const auto goal = problem.goal(objective);
+    pdef->setGoal(goal);
+    const ob::PlannerPtr planner = plannerFor(problem);
+    planner->setProblemDefinition(pdef);
+    int asked = 0;
+    const ob::PlannerTerminationCondition never([&asked] { return ++asked > 1000000; });
+    EXPECT_FALSE(planner->solve(never));
+    EXPECT_LE(asked, 1000000) << "it ends by itself";
+    EXPECT_FALSE(pdef->hasSolution());
+    EXPECT_NE(goal->problem(), "");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, PlacementPlanning, ::testing::Values("RRTConnect", "B4P"));
