@@ -8,7 +8,7 @@ from pathlib import Path
 
 from b4p_files.errors import run
 from b4p_files.output import make_folder, replacing
-from b4p_files.placements import by_processor_time, placement_tables, placement_tasks
+from b4p_files.placements import AS_PRINTED, by_processor_time, nearly_best_table, placement_tables, placement_tasks
 from b4p_files.processor_limit import add_processor_limit, processor_limit
 from b4p_files.records import read_records
 
@@ -18,13 +18,18 @@ def main() -> None:
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="folder that `b4p bench` wrote")
     parser.add_argument("-o", "--out", metavar="FOLDER", type=Path, required=True, help="where files go")
     parser.add_argument("--reference", metavar="LABEL", help="whom times are compared with [the first planner]")
+    parser.add_argument(
+        "--against",
+        metavar="LABEL",
+        help=f"whose time to nearly the best is divided by the others', per scene [{AS_PRINTED}, else the first planner]",
+    )
     add_processor_limit(parser)
     arguments = parser.parse_args()
     records = [record for record in read_records(arguments.folder) if record.placement is not None]
     if (limit_s := processor_limit(arguments)) is not None:
         records = by_processor_time(records, limit_s)
     tasks = placement_tasks(records)
-    tables = placement_tables(tasks, arguments.reference)
+    tables = placement_tables(tasks, arguments.reference) + "\n" + nearly_best_table(tasks, arguments.against)
     make_folder(arguments.out)
     with replacing(arguments.out / "placements.md") as temporary:
         temporary.write_text(tables)

@@ -33,7 +33,8 @@ struct Options {
 
 PlacementQuerySettings settingsFrom(const Options& options, const Scene& scene) {
   PlacementQuerySettings settings;
-  if (!options.objective.empty()) settings.objective = clearanceGoal(options.objective, kWhere);
+  if (!options.objective.empty())
+    settings.objective = clearanceGoal(options.objective, kWhere, "--objective");
   settings.parameters = keyValues(options.parameters, kWhere);
   if (!options.sampling.empty()) {
     settings.options.sampling = placementSampling(options.sampling, kWhere);

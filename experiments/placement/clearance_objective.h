@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "experiments/placement/clearance_bound.h"
 #include "experiments/placement/distance_field.h"
 #include "planners/placement/placement_objective.h"
 
@@ -13,6 +15,12 @@ enum class ClearanceGoal {
   kLargest,   ///< far from everything
   kSmallest,  ///< packed
 };
+
+/// The goals by the names that commands and files have for them.
+/// @param where, element  named in errors, with the names there are
+/// @throws InputError
+ClearanceGoal clearanceGoal(const std::string& name, const std::string& where, const std::string& element);
+std::string nameOf(ClearanceGoal goal);
 
 /// Clearance C of an object: the mean of DistanceField over points of the object (paper, Section V). The
 /// objective is C, or -C for kSmallest; in metres. Immutable.
@@ -30,6 +38,8 @@ class ClearanceObjective : public PlacementObjective {
   /// no faster than that but for the grid's error.
   double upperBound(const PoseNeighbourhood& poses) const override;
 
+  double quickBound(const Eigen::Isometry3d& X_WO) const override;
+
   ClearanceGoal goal() const { return goal_; }
 
  protected:
@@ -39,6 +49,7 @@ class ClearanceObjective : public PlacementObjective {
   std::shared_ptr<const DistanceField> field_;
   std::vector<Eigen::Vector3d> points_O_;
   ClearanceGoal goal_;
+  std::unique_ptr<const ClearanceBound> bound_;
 };
 
 }  // namespace b4p

@@ -79,27 +79,43 @@ DistanceField::DistanceField(const OccupancyGrid& grid)
     value = static_cast<float>(lattice_.cell_m) * (std::isinf(value) ? diagonal : std::sqrt(value));
 }
 
+// Plain numbers, since placing spends much of its time here.
+double DistanceField::interpolated(double x, double y, double z) const {
+  const Eigen::Vector3i last = (lattice_.count.array() - 1).matrix();
+  x = std::min(std::max(0.0, x), static_cast<double>(last.x()));
+  y = std::min(std::max(0.0, y), static_cast<double>(last.y()));
+  z = std::min(std::max(0.0, z), static_cast<double>(last.z()));
+  const int i = static_cast<int>(x), j = static_cast<int>(y), k = static_cast<int>(z);
+  const auto share_x = static_cast<float>(x - i), share_y = static_cast<float>(y - j),
+             share_z = static_cast<float>(z - k);
+  const auto wide = static_cast<std::size_t>(lattice_.count.x());
+  const std::size_t layer = wide * static_cast<std::size_t>(lattice_.count.y());
+  const std::size_t dx = i < last.x() ? 1 : 0, dy = j < last.y() ? wide : 0, dz = k < last.z() ? layer : 0;
+  const float* here = distance_m_.data() + static_cast<std::size_t>(i) + wide * static_cast<std::size_t>(j) +
+                      layer * static_cast<std::size_t>(k);
+  const auto between = [](float a, float b, float share) { return a + share * (b - a); };
+  const auto inLayer = [&](const float* corner) {
+    return between(between(corner[0], corner[dx], share_x), between(corner[dy], corner[dy + dx], share_x),
+                   share_y);
+  };
+  return static_cast<double>(between(inLayer(here), inLayer(here + dz), share_z));
+}
+
 double DistanceField::at(const Eigen::Vector3d& p_W) const {
-  const Eigen::Array3d last = (lattice_.count.array() - 1).cast<double>();
-  const Eigen::Array3d place = ((p_W - lattice_.origin_m).array() / lattice_.cell_m - 0.5).max(0.0).min(last);
-  const Eigen::Array3i low = place.cast<int>();
-  const Eigen::Array3d share = place - low.cast<double>();
-  const Eigen::Array3i step = (low + 1 < lattice_.count.array()).cast<int>();
-  const std::size_t base = lattice_.index(low.matrix());
-  const auto dx = static_cast<std::size_t>(step.x());
-  const auto dy = static_cast<std::size_t>(step.y()) * static_cast<std::size_t>(lattice_.count.x());
-  const auto dz = static_cast<std::size_t>(step.z()) * static_cast<std::size_t>(lattice_.count.x()) *
-                  static_cast<std::size_t>(lattice_.count.y());
-  const auto alongX = [&](std::size_t i) {
-    const double a = static_cast<double>(distance_m_[i]), b = static_cast<double>(distance_m_[i + dx]);
-    return a + share.x() * (b - a);
-  };
-  const auto inLayer = [&](std::size_t i) {
-    const double a = alongX(i);
-    return a + share.y() * (alongX(i + dy) - a);
-  };
-  const double bottom = inLayer(base);
-  return share.z() == 0.0 ? bottom : bottom + share.z() * (inLayer(base + dz) - bottom);
+  const Eigen::Vector3d place = ((p_W - lattice_.origin_m) / lattice_.cell_m).array() - 0.5;
+  return interpolated(place.x(), place.y(), place.z());
+}
+
+double DistanceField::mean(const Eigen::Isometry3d& X_WP,
+                           const std::vector<Eigen::Vector3d>& points_P) const {
+  const Eigen::Matrix3d R = X_WP.linear() / lattice_.cell_m;
+  const Eigen::Vector3d t = ((X_WP.translation() - lattice_.origin_m) / lattice_.cell_m).array() - 0.5;
+  double sum = 0.0;
+  for (const Eigen::Vector3d& p : points_P)
+    sum += interpolated(R(0, 0) * p.x() + R(0, 1) * p.y() + R(0, 2) * p.z() + t.x(),
+                        R(1, 0) * p.x() + R(1, 1) * p.y() + R(1, 2) * p.z() + t.y(),
+                        R(2, 0) * p.x() + R(2, 1) * p.y() + R(2, 2) * p.z() + t.z());
+  return sum / static_cast<double>(points_P.size());
 }
 
 double DistanceField::gridError_m() const { return std::sqrt(2.0) * lattice_.cell_m; }

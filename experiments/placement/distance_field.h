@@ -20,6 +20,9 @@ class DistanceField {
 
   double at(const Eigen::Vector3d& p_W) const;
 
+  /// Mean over points of a body at X_WP; at least one point.
+  double mean(const Eigen::Isometry3d& X_WP, const std::vector<Eigen::Vector3d>& points_P) const;
+
   /// The distance of a cell's centre.
   double cell(const Eigen::Vector3i& cell) const {
     return static_cast<double>(distance_m_[lattice_.index(cell)]);
@@ -29,6 +32,9 @@ class DistanceField {
   const Lattice& lattice() const { return lattice_; }
 
  private:
+  /// At a place in cells from the centre of cell (0, 0, 0).
+  double interpolated(double x, double y, double z) const;
+
   Lattice lattice_;
   std::vector<float> distance_m_;
 };

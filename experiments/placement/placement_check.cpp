@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/placement/placement_check.h"
 
-#include "experiments/placement/placement_query.h"
+#include "experiments/placement/clearance_objective.h"
 #include "experiments/verification/placement_verifier.h"
 #include "robots/input_error.h"
 
 namespace b4p {
 
 void verifyImprovements(const Scene& scene, PlacementResult& result) {
-  const bool largest = clearanceGoal(result.objective, scene.file) == ClearanceGoal::kLargest;
+  const bool largest = clearanceGoal(result.objective, scene.file, "objective") == ClearanceGoal::kLargest;
   bool same_arms = result.arms.size() == scene.placing().arms.size();
   for (std::size_t i = 0; same_arms && i < result.arms.size(); ++i)
     same_arms = result.arms[i] == scene.placing().arms[i].name;

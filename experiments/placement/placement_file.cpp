@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "experiments/placement/point_boxes.h"
 #include "experiments/placement/point_cloud.h"
 #include "experiments/placement/solid.h"
 #include "experiments/scene_files/data_files.h"

@@ -14,8 +14,11 @@ namespace {
 
 std::vector<PlacementFace> facesOf(const Scene& scene) {
   std::vector<PlacementFace> faces;
+  const std::vector<Eigen::Vector3d> points = hullPoints(scene.placing().object);
   try {
-    faces = placementFaces(hullPoints(scene.placing().object), scene.placing().p_OCom);
+    if (!containsPoint(convexHull(points), scene.placing().p_OCom))
+      throw InputError(scene.file, "place.centre_of_mass_m", "lies outside the object");
+    faces = placementFaces(points, scene.placing().p_OCom);
   } catch (const std::invalid_argument& e) {
     throw InputError(scene.file, "object", e.what());
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/placement/placement_query.h"
 
-#include <array>
 #include <utility>
 
 #include <ompl/base/SpaceInformation.h>
@@ -9,7 +8,6 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "experiments/named_values.h"
 #include "experiments/problem.h"
 #include "experiments/query.h"
 #include "planners/processor_time.h"
@@ -22,9 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using StateType = ManipulationStateSpace::StateType;
-
-constexpr std::array<Named<ClearanceGoal>, 2> kGoals{
-    {{ClearanceGoal::kLargest, "max_clearance"}, {ClearanceGoal::kSmallest, "min_clearance"}}};
 
 /// The options that the settings come to. Parameters are set on a planner that nothing is planned with.
 std::shared_ptr<PlacementOptions> optionsFrom(const PlacementQuerySettings& settings,
@@ -129,11 +124,5 @@ PlacementResult PlacementQuery::emptyResult() const {
   }
   return result;
 }
-
-ClearanceGoal clearanceGoal(const std::string& name, const std::string& where) {
-  return valueOf(kGoals, name, where, "--objective");
-}
-
-std::string nameOf(ClearanceGoal goal) { return nameIn(kGoals, goal); }
 
 }  // namespace b4p

@@ -67,9 +67,4 @@ class PlacementQuery {
   double cpu_start_s_ = 0.0;
 };
 
-/// The objectives by the names that commands and files have for them.
-/// @throws InputError listing the names there are
-ClearanceGoal clearanceGoal(const std::string& name, const std::string& where);
-std::string nameOf(ClearanceGoal goal);
-
 }  // namespace b4p

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "experiments/output_file.h"
+#include "experiments/placement/clearance_objective.h"
 #include "experiments/placement/placement_result_json.h"
 #include "experiments/result_json.h"
 
@@ -83,6 +84,18 @@ PlacementImprovement improvementFrom(const JsonValue& value, const PlacementResu
   return improvement;
 }
 
+/// Others may read nothing but `best`, so that it has to be what has been verified.
+void requireBest(const JsonValue& best, const PlacementResult& result) {
+  if (!result.solved()) {
+    if (!best.isNull()) best.fail("is there, but there are no improvements");
+    return;
+  }
+  const PlacementImprovement copy = improvementFrom(best, result), &last = result.improvements.back();
+  if (copy.arm != last.arm || copy.path != last.path || copy.objective_m != last.objective_m ||
+      copy.X_WO.matrix() != last.X_WO.matrix() || copy.time_s != last.time_s)
+    best.fail("is not the last of the improvements");
+}
+
 }  // namespace
 
 bool PlacementResult::verified() const {
@@ -101,6 +114,7 @@ PlacementResult placementResultFrom(const JsonValue& root) {
   PlacementResult result;
   result.scene = root["scene"].text();
   result.objective = root["objective"].text();
+  clearanceGoal(result.objective, root.file(), "objective");
   result.sampling = root["sampling"].text();
   result.parameters = root["parameters"].texts();
   result.seed = root["seed"].integer<std::uint64_t>();
@@ -118,6 +132,7 @@ PlacementResult placementResultFrom(const JsonValue& root) {
     result.improvements.push_back(improvementFrom(improvement, result));
   if (root["solved"].boolean() != result.solved())
     root["solved"].failWithValue("contradicts the number of improvements");
+  requireBest(root["best"], result);
   return result;
 }
 

@@ -9,8 +9,9 @@ namespace b4p {
 /// Whether a document is what writePlacementResult() writes, rather than writeResult().
 bool isPlacementResult(const Json& document);
 
-/// What a result file says, its statistics of draws and its copy of the best improvement left aside.
-/// @throws InputError naming file and element, as readResult() does
+/// What a result file says, its statistics of draws left aside.
+/// @throws InputError naming file and element, as readResult() does; also where `best` is not the last
+///   improvement
 PlacementResult placementResultFrom(const JsonValue& root);
 
 }  // namespace b4p

@@ -4,22 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "experiments/placement/lattice.h"
-#include "state_validity/collision_checker.h"
+#include <Eigen/Core>
 
 namespace b4p {
 
-/// Points (m) of a PLY or PCD file in ASCII, told apart by its first word. Other properties than x, y and z
-/// are skipped.
-/// @throws InputError naming file, line and value: unreadable file, another format (binary among them),
-///   malformed header, no points, fewer rows than the header says, a coordinate that is missing, no number,
-///   not finite or farther than 1000 m
+/// Points (m) of a PLY or PCD file, told apart by its first word: PLY in ASCII or binary of either byte
+/// order, PCD in ASCII or `DATA binary`. Other properties than x, y and z are skipped, and so are points of
+/// which all three are NaN: they stand for a measurement that is missing.
+/// @throws InputError naming file, line or point, and value: unreadable file, another format (PCD's
+///   binary_compressed among them), malformed header, no points, fewer of them than the header says, a
+///   coordinate that is missing, no number, not finite or farther than 1000 m
 std::vector<Eigen::Vector3d> readPointCloud(const std::string& file);
-
-/// Boxes that together are exactly the cells, on a lattice with this origin and these cells in all
-/// directions, that hold a point; in obstacles called `name`_0, `name`_1, ...
-/// @throws InputError naming `name` when there are more than 20,000 boxes
-std::vector<Obstacle> boxesAround(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin_m,
-                                  double cell_m, const std::string& name);
 
 }  // namespace b4p

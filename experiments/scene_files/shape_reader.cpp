@@ -81,6 +81,15 @@ Shape readPrism(const YamlValue& value) {
   }
 }
 
+bool hasHull(const std::string& file, const Eigen::Vector3d& factors) {
+  try {
+    loadMeshHull(file, factors);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 Shape readMesh(const YamlValue& value) {
   value.allowKeys({"file", "scale", "convex_hull"});
   const auto scale = value.find("scale");
@@ -88,14 +97,16 @@ Shape readMesh(const YamlValue& value) {
   const YamlValue address = value["file"];
   const Eigen::Vector3d factors = scale ? scale->positiveVector3() : Eigen::Vector3d::Ones();
   const bool take_hull = hull && hull->boolean();
+  std::string file;
   try {
-    const std::string file =
-        meshFile(address.text(), std::filesystem::path(value.file()).parent_path().string());
+    file = meshFile(address.text(), std::filesystem::path(value.file()).parent_path().string());
     return take_hull ? loadMeshHull(file, factors) : loadConvexMesh(file, factors);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    address.failWithValue(std::string(error.what()) + (take_hull ? "" : "; convex_hull: true uses the hull"));
+    const bool hull_helps = !take_hull && hasHull(file, factors);
+    address.failWithValue(std::string(error.what()) +
+                          (hull_helps ? "; convex_hull: true uses the hull" : ""));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -83,6 +84,19 @@ struct PlacementGoal::Search {
     if (problem.empty()) problem = "testing a placement failed: " + what;
   }
 
+  /// To be called in a handler. What the world threw ends the search; std::bad_alloc goes on.
+  void failByException() {
+    try {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& e) {
+      fail(e.what());
+    } catch (...) {
+      fail("an exception of unknown type");
+    }
+  }
+
   std::mutex mutex;  ///< guards all that follows
   std::mt19937_64 random;
   std::unique_ptr<PlacementSampler> sampler;  ///< null where there is nothing to draw
@@ -138,8 +152,8 @@ double PlacementGoal::objective(const ob::State* state) const {
   if (s->grasp < 0 || s->grasp >= world_->armCount() || !si_->satisfiesBounds(state)) return -kInfinity;
   try {
     return objective_->value(contexts_.lease()->objectPose(s->grasp, s->q));
-  } catch (const std::exception& e) {
-    search_->fail(e.what());
+  } catch (...) {
+    search_->failByException();
     return -kInfinity;
   }
 }
@@ -155,12 +169,8 @@ bool PlacementGoal::sample(ob::State* state, unsigned attempts) const {
       s->grasp = draw.placement.arm;
       if (search_->learn(draw, outcome, options_, *objective_)) return true;
     }
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& e) {
-    search_->fail(e.what());
   } catch (...) {
-    search_->fail("an exception of unknown type");
+    search_->failByException();
   }
   setOutside(si_, s);
   return false;
@@ -172,8 +182,8 @@ void PlacementGoal::reportReached(const ob::State* state, double value) const {
   Placement placement;
   try {
     if (!world_->locate(contexts_.lease()->objectPose(s->grasp, s->q), placement)) return;
-  } catch (const std::exception& e) {
-    search_->fail(e.what());
+  } catch (...) {
+    search_->failByException();
     return;
   }
   placement.arm = s->grasp;
@@ -213,8 +223,8 @@ double PlacementGoal::distanceGoal(const ob::State* state) const {
     if (!context->objectFree(X_WO)) failed += 1.0;
     if (!(objective_->value(X_WO) > objectiveThreshold())) failed += 1.0;
     return failed;
-  } catch (const std::exception& e) {
-    search_->fail(e.what());
+  } catch (...) {
+    search_->failByException();
     return kInfinity;
   }
 }

@@ -37,6 +37,12 @@ class PlacementObjective {
     return std::numeric_limits<double>::infinity();
   }
 
+  /// A number that value() does not exceed at this pose, found much sooner than the value. +infinity: nothing
+  /// is known. Does not throw.
+  virtual double quickBound(const Eigen::Isometry3d&) const {
+    return std::numeric_limits<double>::infinity();
+  }
+
   /// What went wrong first; empty when nothing did.
   std::string problem() const;
   bool failed() const { return failed_.load(std::memory_order_acquire); }

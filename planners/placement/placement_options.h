@@ -43,7 +43,7 @@ struct PlacementStatistics {
   std::uint64_t draws = 0;
   std::uint64_t unstable = 0;
   std::uint64_t object_collides = 0;
-  std::uint64_t not_better = 0;  ///< objective no better than its threshold
+  std::uint64_t not_better = 0;  ///< objective, or a bound of it, no better than its threshold
   std::uint64_t hand_collides = 0;
   std::uint64_t unreachable = 0;  ///< no answer of inverse kinematics
   std::uint64_t arm_collides = 0;

@@ -10,6 +10,7 @@
 
 #include "planners/parallel_search.h"
 #include "planners/placement/redirectable_data.h"
+#include "planners/shortcuts.h"
 
 namespace b4p {
 
@@ -53,6 +54,7 @@ PlacementPlanner::PlacementPlanner(const ob::SpaceInformationPtr& si)
   declare("slice", &PlacementPlannerParameters::slice, "1:1:100000");
   declare("iterations", &PlacementPlannerParameters::iterations, "1:1:100000");
   declare("draws", &PlacementPlannerParameters::draws, "1:1:100000");
+  declare("shortcuts", &PlacementPlannerParameters::shortcuts, "0:1:100000");
   declare("local", &PlacementPlannerParameters::local, "0,1");
   declare("local_step", &PlacementPlannerParameters::local_step, "0.0001:0.0001:1.");
   declare("local_steps", &PlacementPlannerParameters::local_steps, "0:1:100000");
@@ -192,6 +194,7 @@ void PlacementPlanner::take(const ReachedGoal& reached, const ob::PlannerTermina
     objective = better.objective;
   }
   if (!(objective > bestObjective())) return;
+  takeShortcuts(path, parameters().shortcuts, ptc);
   best_path_ = path;
   best_ = objective;
   countOne(improvements_);

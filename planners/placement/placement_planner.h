@@ -25,6 +25,7 @@ struct PlacementPlannerParameters {
   unsigned slice = 20;        ///< iterations of motion planning of one arm before the next has its turn, >= 1
   unsigned iterations = 100;  ///< of motion planning, all arms together, between two samplings of goals, >= 1
   unsigned draws = 200;       ///< placements drawn at most per sampling, which ends at the first goal, >= 1
+  unsigned shortcuts = 20;    ///< tried on a path before it is published, see takeShortcuts(); 0: none
   bool local = true;          ///< whether placements that have been reached are improved locally
   double local_step = 0.01;   ///< see LocalOptimisation::step
   unsigned local_steps = 100;  ///< see LocalOptimisation::steps
@@ -40,8 +41,9 @@ struct PlacementPlannerParameters {
 /// configuration, and an arm without one is not used. The planner samples goals above the best objective so
 /// far, moves towards all of them at once (RedirectableSearch), improves what it reaches (LocalOptimiser),
 /// and drops the goals that are then no better. Each improvement goes at once to the problem definition,
-/// where a PlacementPathObjective ranks it first, and to its intermediate solution callback. A path's last
-/// state has the objective that the solution's cost claims.
+/// where a PlacementPathObjective ranks it first, and to its intermediate solution callback. Paths are
+/// shortened by a bounded number of attempts before; a path's last state has the objective that the
+/// solution's cost claims.
 ///
 /// solve() ends at its termination condition, when an objective of the problem definition (a
 /// PlacementPathObjective) is satisfied, or when the goal knows that nothing better is left; with

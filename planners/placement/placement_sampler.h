@@ -15,6 +15,7 @@ namespace b4p {
 /// Which tests a drawn placement passed. Tests that were not made count as failed.
 struct PlacementOutcome {
   bool stable = false;
+  bool hopeless = false;  ///< stable, but a bound of the objective is not above its threshold
   bool object_free = false;
   bool better = false;  ///< stable, object free, and the objective above its threshold
   bool hand_free = false;

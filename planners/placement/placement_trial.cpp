@@ -4,10 +4,17 @@
 namespace b4p {
 namespace {
 
-/// The pose alone. Stability and freedom are both tested, since either is worth a part of the reward.
-void tryPose(const PlacementWorld& world, const PlacementObjective& objective, PlacementContext& context,
-             const Eigen::Isometry3d& X_WO, double threshold, PlacementOutcome& outcome) {
+/// The pose alone, cheap tests first. All of stability and freedom is tested where each is worth a part of
+/// the reward.
+void tryPose(const PlacementWorld& world, const PlacementObjective& objective,
+             const PlacementOptions& options, PlacementContext& context, const Eigen::Isometry3d& X_WO,
+             double threshold, PlacementOutcome& outcome) {
   outcome.stable = world.stable(X_WO);
+  if (options.reward != PlacementReward::kPaper) {
+    if (!outcome.stable) return;
+    outcome.hopeless = !(objective.quickBound(X_WO) > threshold);
+    if (outcome.hopeless) return;
+  }
   outcome.object_free = context.objectFree(X_WO);
   if (!outcome.stable || !outcome.object_free) return;
   outcome.objective = objective.value(X_WO);
@@ -37,7 +44,7 @@ PlacementOutcome tryPlacement(const PlacementWorld& world, const PlacementObject
   PlacementOutcome outcome;
   const Eigen::Isometry3d X_WO = world.objectPose(placement);
   if (!options.pose_first) tryArm(options, context, placement.arm, X_WO, seed, q, outcome);
-  tryPose(world, objective, context, X_WO, threshold, outcome);
+  tryPose(world, objective, options, context, X_WO, threshold, outcome);
   if (options.pose_first && outcome.better) tryArm(options, context, placement.arm, X_WO, seed, q, outcome);
   return outcome;
 }
@@ -48,6 +55,8 @@ void countOutcome(const PlacementOutcome& outcome, const PlacementOptions& optio
   const auto countPose = [&] {
     if (!outcome.stable)
       ++statistics.unstable;
+    else if (outcome.hopeless)
+      ++statistics.not_better;
     else if (!outcome.object_free)
       ++statistics.object_collides;
     else

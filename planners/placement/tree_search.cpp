@@ -15,11 +15,6 @@ constexpr double kDrawsBeforeBound = 8.0;
 constexpr double kFadedAway = 1e-100;       ///< what is left of rewards counts for nothing
 constexpr std::size_t kMostNodes = 500000;  ///< about 100 MB
 
-/// UCB1's share for exploration.
-double bonus(double exploration, double parent_visits, double visits) {
-  return exploration * std::sqrt(2.0 * std::log(std::max(1.0, parent_visits)) / visits);
-}
-
 }  // namespace
 
 TreeSearch::TreeSearch(const PlacementWorld& world, const PlacementObjective& objective,
@@ -42,7 +37,8 @@ TreeSearch::Branch TreeSearch::addChild(Branch branch, std::size_t place) {
   added.parent = branch;
   std::swap(n.untried[place], n.untried.back());
   n.untried.pop_back();
-  n.children.push_back(child);
+  added.place = n.children.size();
+  n.children.push_back({child, {}});
   nodes_.push_back(std::move(added));
   return child;
 }
@@ -55,7 +51,7 @@ TreeSearch::Branch TreeSearch::addRandomChild(Branch branch, std::mt19937_64& ra
 bool TreeSearch::open(Branch branch, double threshold) {
   if (!options_.prune || threshold == -kInfinity) return true;
   Node& n = node(branch);
-  if (!n.bounded && n.visits < kDrawsBeforeBound) return true;
+  if (!n.bounded && n.learnt.visits < kDrawsBeforeBound) return true;
   if (!n.bounded) {
     n.bounded = true;
     n.bound = kInfinity;
@@ -75,13 +71,15 @@ TreeSearch::Branch TreeSearch::selectChild(Branch branch, double threshold, std:
   expand(branch);
   for (;;) {
     const Node& n = node(branch);
+    // UCB1's share for exploration, but for the visits of each.
+    const double exploration =
+        options_.exploration * std::sqrt(2.0 * std::log(std::max(1.0, n.learnt.visits)));
     Branch best = -1;
     double best_score = -kInfinity, mean = 0.0, tried = 0.0;
-    for (const Branch child : n.children) {
-      const Node& c = node(child);
-      if (c.visits <= 0.0 || !open(child, threshold)) continue;
-      const double share = c.rewards / c.visits;
-      const double score = share + bonus(options_.exploration, n.visits, c.visits);
+    for (const auto& [child, learnt] : n.children) {
+      if (learnt.visits <= 0.0 || !open(child, threshold)) continue;
+      const double share = learnt.rewards / learnt.visits;
+      const double score = share + exploration / std::sqrt(learnt.visits);
       mean += share;
       tried += 1.0;
       if (score > best_score) {
@@ -90,19 +88,18 @@ TreeSearch::Branch TreeSearch::selectChild(Branch branch, double threshold, std:
       }
     }
     const bool more = !n.untried.empty();
-    const double more_score =
-        tried > 0.0 ? mean / tried + bonus(options_.exploration, n.visits, tried) : kInfinity;
+    const double more_score = tried > 0.0 ? mean / tried + exploration / std::sqrt(tried) : kInfinity;
     if (best >= 0 && !(more && more_score > best_score)) return best;
     if (more) {
       const Branch added = addRandomChild(branch, random);
       if (open(added, threshold)) return added;
       continue;
     }
-    for (const Branch child : n.children)  // drawn from by others that have not learnt yet
+    for (const auto& [child, learnt] : n.children)  // drawn from by others that have not learnt yet
       if (open(child, threshold)) return child;
     // All children are known and closed, so the best of their bounds is this node's.
     double bound = -kInfinity;
-    for (const Branch child : n.children) bound = std::max(bound, node(child).bound);
+    for (const auto& [child, learnt] : n.children) bound = std::max(bound, node(child).bound);
     node(branch).bound = bound;
     node(branch).bounded = true;
     return -1;
@@ -112,7 +109,7 @@ TreeSearch::Branch TreeSearch::selectChild(Branch branch, double threshold, std:
 bool TreeSearch::descends(Branch branch) {
   const Node& n = node(branch);
   if (n.afr.depth < AfrHierarchy::kFullyChosen) return true;
-  if (n.visits <= 0.0 || hierarchy_.childCount(n.afr) == 0) return false;
+  if (n.learnt.visits <= 0.0 || hierarchy_.childCount(n.afr) == 0) return false;
   return nodes_.size() < kMostNodes || (n.expanded && n.untried.empty());
 }
 
@@ -127,10 +124,12 @@ bool TreeSearch::draw(std::mt19937_64& random, double threshold, Placement& plac
   return false;
 }
 
-void TreeSearch::add(Branch branch, double visits, double reward) {
+void TreeSearch::add(Branch branch, const Learnt& more) {
   for (; branch >= 0; branch = node(branch).parent) {
-    node(branch).visits += visits;
-    node(branch).rewards += reward;
+    Node& n = node(branch);
+    n.learnt.visits += more.visits;
+    n.learnt.rewards += more.rewards;
+    if (n.parent >= 0) node(n.parent).children[n.place].learnt = n.learnt;
   }
 }
 
@@ -142,7 +141,7 @@ double TreeSearch::rewardOf(const PlacementOutcome& outcome, bool leaf) const {
                        static_cast<int>(outcome.stable) + static_cast<int>(outcome.better);
     return leaf ? 0.0 : kShare * passed;
   }
-  if (!outcome.stable || !outcome.object_free) return 0.0;
+  if (!outcome.stable || (!outcome.object_free && !outcome.hopeless)) return 0.0;
   const int tests_missed = !outcome.better ? 3 : !outcome.hand_free ? 2 : !outcome.reachable ? 1 : 0;
   return std::ldexp(options_.stage, -tests_missed);
 }
@@ -150,7 +149,7 @@ double TreeSearch::rewardOf(const PlacementOutcome& outcome, bool leaf) const {
 void TreeSearch::learn(Branch branch, const PlacementOutcome& outcome) {
   const bool leaf = hierarchy_.childCount(node(branch).afr) == 0;
   const double reward = rewardOf(outcome, leaf);
-  add(branch, 1.0, reward);
+  add(branch, {1.0, reward});
   if (!options_.take_back || !outcome.better) return;
   PlacementOutcome passed;
   passed.stable = passed.object_free = true;
@@ -172,23 +171,24 @@ void TreeSearch::learnReached(const Placement& placement) {
       continue;
     }
     const AfrNode wanted = hierarchy_.child(n.afr, number);
-    const auto same = std::find_if(n.children.begin(), n.children.end(), [&](Branch child) {
-      const AfrNode& c = node(child).afr;
+    const auto same = std::find_if(n.children.begin(), n.children.end(), [&](const Child& child) {
+      const AfrNode& c = node(child.branch).afr;
       return c.arm == wanted.arm && c.face == wanted.face && c.region == wanted.region &&
              c.patch == wanted.patch && c.angle_low_rad == wanted.angle_low_rad;
     });
-    branch = *same;
+    branch = same->branch;
   }
-  if (node(branch).afr.depth >= AfrHierarchy::kFullyChosen) add(branch, 1.0, 1.0);
+  if (node(branch).afr.depth >= AfrHierarchy::kFullyChosen) add(branch, {1.0, 1.0});
 }
 
 void TreeSearch::thresholdRaised(double threshold) {
   for (; !better_.empty() && better_.top().objective <= threshold; better_.pop())
-    add(better_.top().branch, 0.0, -better_.top().surplus * faded_);
+    add(better_.top().branch, {0.0, -better_.top().surplus * faded_});
   if (options_.discount == 1.0) return;
   for (Node& n : nodes_) {
-    n.visits *= options_.discount;
-    n.rewards *= options_.discount;
+    n.learnt.visits *= options_.discount;
+    n.learnt.rewards *= options_.discount;
+    if (n.parent >= 0) node(n.parent).children[n.place].learnt = n.learnt;
   }
   faded_ *= options_.discount;
   if (faded_ >= kFadedAway) return;

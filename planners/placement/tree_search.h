@@ -11,9 +11,8 @@
 
 namespace b4p {
 
-/// Monte Carlo tree search over the AFR hierarchy (paper, Algorithms 2 and 3), with UCB1 and the reward of
-/// Eq.
-/// 3. What it has learnt stays over all thresholds.
+/// Monte Carlo tree search over the AFR hierarchy (paper, Algorithms 2 and 3), with UCB1 and the rewards of
+/// PlacementReward. What it has learnt stays over all thresholds.
 ///
 /// With options.prune, branches whose bound does not exceed the threshold are closed: nothing in them can be
 /// better. With options.discount below 1, visits and rewards fade whenever the threshold rises, because
@@ -31,15 +30,25 @@ class TreeSearch : public PlacementSampler {
   std::size_t size() const { return nodes_.size(); }
 
  private:
+  struct Learnt {
+    double visits = 0.0, rewards = 0.0;
+  };
+
+  struct Child {
+    Branch branch;
+    Learnt learnt;  ///< a copy of the child's own, where all children can be compared at once
+  };
+
   struct Node {
     AfrNode afr;
     Branch parent = -1;
-    double visits = 0.0, rewards = 0.0;
+    std::size_t place = 0;  ///< among the parent's children
+    Learnt learnt;
     double bound = 0.0;  ///< of the objective; known when `bounded`
     bool bounded = false;
     bool expanded = false;     ///< `untried` has been filled
     std::vector<int> untried;  ///< numbers of children that are not in the tree
-    std::vector<Branch> children;
+    std::vector<Child> children;
   };
 
   /// A draw that has been better than the threshold so far.
@@ -60,7 +69,7 @@ class TreeSearch : public PlacementSampler {
   bool descends(Branch branch);
   Branch selectChild(Branch branch, double threshold, std::mt19937_64& random);
   double rewardOf(const PlacementOutcome& outcome, bool leaf) const;
-  void add(Branch branch, double visits, double reward);
+  void add(Branch branch, const Learnt& more);
 
   const PlacementObjective& objective_;
   PlacementOptions options_;

@@ -11,11 +11,13 @@ from math import inf, isfinite
 
 import numpy as np
 
+from b4p_files.censored import median, ratio
 from b4p_files.errors import FileError
 from b4p_files.records import Record
 from b4p_files.statistics import CONFIDENCE, mean_interval, median_ratio, quantile
 
 NEARLY_BEST = 0.95
+AS_PRINTED = "as_printed"  # label of the search as the paper has it, in figure5.yaml
 
 
 @dataclass
@@ -159,5 +161,46 @@ def placement_tables(tasks: list[Task], reference: str | None) -> str:
         f"Limit {tasks[0].limit_s:g} s. Values are 0 at the worst and 1 at the best placement seen of an object; the area is "
         "the mean of the value over the time to the limit. Times are medians over all runs; the last column is the ratio of "
         f"the times to {NEARLY_BEST:.0%}, above 1 where {reference} is faster.\n"
+    )
+    return text
+
+
+def _scene_rows(surroundings: str, variants: dict[str, list[float]], against: str, limit_s: float) -> str:
+    rows = ""
+    for label, times in variants.items():
+        middle = median(times, limit_s)
+        faster = ratio(variants[against], times, limit_s)
+        known = label != against and faster.bound != "?"
+        bound = f"{faster.bound} " if faster.bound else ""
+        rows += (
+            f"| {surroundings} | {label} | {sum(map(isfinite, times))} of {len(times)} "
+            f"| {'> ' if middle.above else ''}{middle.value:.3g} ({middle.low:.3g} ... {middle.high:.3g}) "
+            f"| {f'{bound}{faster.value:.2f} ({faster.low:.2f} ... {faster.high:.2f})' if known else '-'} |\n"
+        )
+    return rows
+
+
+def nearly_best_table(tasks: list[Task], against: str | None) -> str:
+    """How long each variant takes to nearly the best placement, per surroundings: all objects and objectives together.
+    `against` is the label whose time is divided by the others'; None: AS_PRINTED where it has runs, else the first one."""
+    labels = list(dict.fromkeys(label for task in tasks for label in task.variants))
+    against = against or (AS_PRINTED if AS_PRINTED in labels else labels[0])
+    scenes: dict[str, dict[str, list[float]]] = {}
+    for task in tasks:
+        times = scenes.setdefault(task.surroundings, {})
+        for label, runs in task.variants.items():
+            times.setdefault(label, []).extend(run.time_to(NEARLY_BEST) for run in runs)
+    limit_s = tasks[0].limit_s
+    text = f"## Time to {NEARLY_BEST:.0%} of the best, all objects and objectives\n\n"
+    text += (
+        f"| scene | variant | reached | median, s ({CONFIDENCE}) | {against} over it ({CONFIDENCE}) |\n|---|---|---|---|---|\n"
+    )
+    for surroundings, variants in scenes.items():
+        if against not in variants:
+            raise FileError("--against", f"'{against}' has no run in {surroundings}; there are: {', '.join(labels)}")
+        text += _scene_rows(surroundings, variants, against, limit_s)
+    text += (
+        f"\nRuns that never come so far count as longer than {limit_s:g} s, which stands for such a median in the ratio and "
+        f"in intervals (bootstrap, over runs). The ratio is above 1 where a variant is faster than {against}.\n"
     )
     return text

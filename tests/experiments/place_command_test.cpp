@@ -56,11 +56,33 @@ TEST(PlaceCommand, WritesRisingImprovementsThatHaveBeenVerified) {
   EXPECT_EQ(runB4p("verify " + file).exit_code, 0);
   auto better = result;
   better["improvements"][0]["objective_m"] = result["improvements"][0]["objective_m"].get<double>() + 0.02;
+  better["best"] = better["improvements"].back();
   writeText(file, better.dump());
   EXPECT_EQ(runB4p("verify " + file).exit_code, 3) << "it claims more than it has";
   better["improvements"][0].erase("time_s");
   writeText(file, better.dump());
   EXPECT_EQ(runB4p("verify " + file).exit_code, 2);
+}
+
+TEST(PlaceCommand, ABestThatIsNotTheLastImprovementIsRefused) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "r.json";
+  ASSERT_EQ(runB4p(std::string("place ") + kScene + " --time-limit-s 1 --out " + file).exit_code, 0);
+  const auto result = nlohmann::json::parse(readFile(file));
+  const auto refused = [&](const auto& change) {
+    auto other = result;
+    change(other);
+    writeText(file, other.dump());
+    const CommandRun run = runB4p("verify " + file);
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_EQ(run.errorLines(), 1);
+    return run.err;
+  };
+  EXPECT_THAT(refused([](auto& r) { r["best"]["path"].back()[0] = 0.0; }),
+              HasSubstr("best: is not the last"));
+  EXPECT_THAT(refused([](auto& r) { r["best"]["objective_m"] = 5.0; }), HasSubstr("best: is not the last"));
+  EXPECT_THAT(refused([](auto& r) { r["best"] = nullptr; }), HasSubstr("best: "));
+  EXPECT_THAT(refused([](auto& r) { r["objective"] = "fun"; }), HasSubstr(file + ": objective: 'fun'"));
 }
 
 TEST(PlaceCommand, SaysWhyThereIsNoPlacement) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Promises: a cell is occupied exactly when a shape overlaps it; surfaces are those counted by hand; objects
 // stand on the faces they can stand on; distances and clearances are those of a search over all cells; the
-// bound of the clearance holds; point clouds and scenes that are no good are refused in one line.
+// bound of the clearance holds; boxes around points are the cells that hold them; scenes that are no good are
+// refused in one line.
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -12,7 +13,7 @@
 #include "experiments/fixtures.h"
 #include "experiments/placement/placement_file.h"
 #include "experiments/placement/placement_geometry.h"
-#include "experiments/placement/point_cloud.h"
+#include "experiments/placement/point_boxes.h"
 #include "experiments/placement/solid.h"
 #include "experiments/verification/separation.h"
 #include "robots/input_error.h"
@@ -244,6 +245,30 @@ TEST(ClearanceObjective, IsTheMeanOverThePointsAndItsBoundHolds) {
   EXPECT_LT(tightest, 0.002) << "a bound that is never near says little";
 }
 
+TEST(ClearanceObjective, QuickBoundIsNeverBelowTheValueAndOftenNear) {
+  const OccupancyGrid grid = scattered(5);
+  const auto field = std::make_shared<const DistanceField>(grid);
+  std::vector<Eigen::Vector3d> points;
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 5; ++z) points.push_back(kCell * Eigen::Vector3d(x - 3.3, y - 1.2, z));
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (const ClearanceGoal goal : {ClearanceGoal::kLargest, ClearanceGoal::kSmallest}) {
+    const ClearanceObjective objective(field, points, goal);
+    double tightest = 1.0;
+    for (int i = 0; i < 20000; ++i) {
+      const Eigen::Vector3d p(unit(random), unit(random), unit(random));  // also outside of the lattice
+      const Eigen::Isometry3d X_WO = turned(grid.lattice().origin_m + 0.08 * p, 3.0 * unit(random),
+                                            {unit(random), unit(random), 1.5 + unit(random)});
+      const double slack = objective.quickBound(X_WO) - objective.value(X_WO);
+      ASSERT_GE(slack, 0.0);
+      tightest = std::min(tightest, slack);
+    }
+    EXPECT_LT(tightest, 2.0 * kCell);
+  }
+}
+
 TEST(PlacementFaces, FactsObjectsStandOnTheFacesTheyShould) {
   const auto counted = [](const std::string& item) {
     const Scene scene = loadPlacementScene("placement/panda_table_cluttered_" + item);
@@ -293,61 +318,7 @@ TEST(Solid, CentreOfMassIsThatOfTheVolume) {
   EXPECT_TRUE(centreOfMass({small, large}).isApprox(Eigen::Vector3d(0.3, 0, 0), 1e-12));
 }
 
-// Point clouds.
-
-std::string cloudRefusal(const std::string& text) {
-  const TemporaryFolder folder;
-  writeText(folder / "cloud.ply", text);
-  try {
-    readPointCloud(folder / "cloud.ply");
-  } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), AllOf(HasSubstr("cloud.ply"), Not(HasSubstr("\n"))));
-    return e.what();
-  }
-  return "accepted";
-}
-
-const char* const kPly =
-    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 2\nproperty float x\nproperty uchar red\n"
-    "property float y\nproperty float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n"
-    "0.5 255 1 2\n-0.25 0 1e-1 3\n";
-const char* const kPcd =
-    "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT "
-    "1\n"
-    "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n0.5 1 2 7\n-0.25 0.1 3 7\n";
-
-TEST(PointCloud, PlyAndPcdGiveTheSamePoints) {
-  const TemporaryFolder folder;
-  for (const char* text : {kPly, kPcd}) {
-    writeText(folder / "cloud", text);
-    const auto points = readPointCloud(folder / "cloud");
-    ASSERT_EQ(points.size(), 2u);
-    EXPECT_TRUE(points[0].isApprox(Eigen::Vector3d(0.5, 1, 2)));
-    EXPECT_TRUE(points[1].isApprox(Eigen::Vector3d(-0.25, 0.1, 3)));
-  }
-}
-
-TEST(PointCloud, WhatIsMalformedIsRefusedInOneLine) {
-  EXPECT_THAT(cloudRefusal(""), HasSubstr("too early"));
-  EXPECT_THAT(cloudRefusal("solid cube\n"), HasSubstr("neither as PLY nor as PCD"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "ascii 1.0", "binary_little_endian 1.0")),
-              HasSubstr("is not ascii"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "vertex 2", "vertex 3")), HasSubstr("too early"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "vertex 2", "vertex many")), HasSubstr("'many' is not a count"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "vertex 2", "vertex 0")), HasSubstr("no points"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "1e-1", "nan")), AllOf(HasSubstr("line 13"), HasSubstr("'nan'")));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "1e-1", "1e9")), HasSubstr("within 1000 m"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "1e-1", "0,1")), HasSubstr("'0,1' is not a number"));
-  EXPECT_THAT(cloudRefusal(replaced(kPly, "property float z\n", "")), HasSubstr("points have no z"));
-  EXPECT_THAT(cloudRefusal(std::string(kPly).substr(0, std::string(kPly).find("end_header"))),
-              HasSubstr("too early"));
-  EXPECT_THAT(cloudRefusal(replaced(kPcd, "DATA ascii", "DATA binary")), HasSubstr("not ascii"));
-  EXPECT_THAT(cloudRefusal(replaced(kPcd, "POINTS 2\n", "")), HasSubstr("no POINTS"));
-  EXPECT_THAT(cloudRefusal(replaced(kPcd, "0.1 3 7", "0.1 3")), HasSubstr("has 3 values, not 4"));
-  EXPECT_THROW(readPointCloud("/nowhere/cloud.ply"), InputError);
-}
-
-TEST(PointCloud, BoxesAreExactlyTheCellsThatHoldPoints) {
+TEST(PointBoxes, AreExactlyTheCellsThatHoldPoints) {
   const Lattice lattice = latticeOf(12, 10, 8);
   std::mt19937 random(9);
   std::vector<Eigen::Vector3d> points;
@@ -402,13 +373,17 @@ TEST(PlacementScene, WhatMakesNoSenseIsRefusedInOneLine) {
   EXPECT_THAT(sceneRefusal(object, "box: {size_m: [2, 2, 2]}"),
               AllOf(HasSubstr("object"), HasSubstr("larger than the target volume")));
   EXPECT_THAT(sceneRefusal("objective: max_clearance", "objective: max_fun"), HasSubstr("max_fun"));
+  EXPECT_THAT(
+      sceneRefusal("objective: max_clearance", "objective: max_clearance\n  centre_of_mass_m: [0.05, 0, 0]"),
+      AllOf(HasSubstr("place.centre_of_mass_m"), HasSubstr("outside the object")));
   EXPECT_THAT(sceneRefusal("edge_step_m: 0.004", "edge_step_m: 0.005"), HasSubstr("edge_step_m"));
   EXPECT_THAT(sceneRefusal("start: [0, ", "start: ["), HasSubstr("start"));
   EXPECT_THAT(sceneRefusal("opening_m: 0.0218", "opening_m: 0.2"), HasSubstr("opening_m"));
   EXPECT_THAT(sceneRefusal("objective: max_clearance",
                            "objective: max_clearance\n  points: {name: cloud, file: none.pcd}"),
               HasSubstr("none.pcd"));
-  EXPECT_THAT(sceneRefusal(object, "mesh: {file: none.obj}"), HasSubstr("none.obj"));
+  EXPECT_THAT(sceneRefusal(object, "mesh: {file: none.obj}"),
+              AllOf(HasSubstr("none.obj"), Not(HasSubstr("convex_hull"))));
   EXPECT_THROW(loadPlacementScene("placement/panda_moon"), InputError);
 }
 

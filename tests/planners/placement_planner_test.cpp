@@ -321,6 +321,39 @@ TEST_F(Place, OneSeedGivesTheSameImprovements) {
   EXPECT_EQ(first, run());
 }
 
+TEST_F(Place, ShortcutsMakePathsShorterAndNothingElse) {
+  const auto run = [this](const char* shortcuts) {
+    ompl::RNG::setSeed(5);
+    improvements.clear();
+    LeverProblem setup(withBlocks(), nearTo({0.6, -0.5}));
+    satisfiedBy(setup, kGoodEnough);
+    planner = std::make_shared<PlacementPlanner>(setup.si);
+    planner->params().setParam("shortcuts", shortcuts);
+    EXPECT_EQ(goOn(setup, kPlenty_s), ob::PlannerStatus::EXACT_SOLUTION);
+    expectSound(setup);
+    std::vector<double> lengths, ends;
+    for (const Improvement& improvement : improvements) {
+      double length = 0.0;
+      for (std::size_t i = 0; i + 1 < improvement.states.size(); ++i)
+        length += setup.si->distance(improvement.states[i].get(), improvement.states[i + 1].get());
+      lengths.push_back(length);
+      const double* q = improvement.states.back()->as<StateType>()->q;
+      ends.insert(ends.end(), q, q + 6);
+      ends.push_back(improvement.objective);
+    }
+    return std::pair(lengths, ends);
+  };
+  const auto [long_ones, ends] = run("0");
+  const auto [short_ones, same_ends] = run("50");
+  EXPECT_EQ(ends, same_ends);
+  double saved = 0.0;
+  for (std::size_t i = 0; i < long_ones.size(); ++i) {
+    EXPECT_LE(short_ones[i], long_ones[i]);
+    saved += long_ones[i] - short_ones[i];
+  }
+  EXPECT_GT(saved, 0.0);
+}
+
 TEST_F(Place, EndsSoonAfterBeingToldTo) {
   LeverProblem setup(withBlocks(), nearTo({0.6, -0.5}));
   planner = std::make_shared<PlacementPlanner>(setup.si);

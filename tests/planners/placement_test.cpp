@@ -3,6 +3,8 @@
 // beat the threshold, on any number of threads; tree search learns where placements are, and from what it is
 // told; pruning leaves out only what cannot win; a failing objective or world ends in a status; one seed, one
 // stream; OMPL's planners and B4P run on the goal.
+#include <atomic>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -328,6 +330,34 @@ TEST(PlacementGoal, AFailingWorldIsAStatusNotACrash) {
   EXPECT_THAT(goal->problem(), HasSubstr("no contact with the arm"));
 }
 
+/// Fails wherever it is asked for an arm, with something that is no std::exception.
+struct BrokenArms : ToyPlacement {
+  struct Context : ToyPlacementContext {
+    using ToyPlacementContext::ToyPlacementContext;
+    Eigen::Isometry3d objectPose(GraspId, const double*) override { throw 7; }
+    bool armFree(GraspId, const double*) override { throw 7; }
+  };
+  std::unique_ptr<PlacementContext> makeContext() const override { return std::make_unique<Context>(*this); }
+};
+
+TEST(PlacementGoal, WhateverAWorldThrowsStaysInside) {
+  const ToyProblem problem(std::make_shared<BrokenArms>());
+  Scoped state(problem.space);
+  state->q[0] = state->q[1] = state->q[2] = 0.3;
+  state->grasp = 0;
+  const auto saysWhy = [&](const std::function<void(const PlacementGoal&)>& use) {
+    const auto goal = problem.goal(flat());
+    EXPECT_NO_THROW(use(*goal));
+    EXPECT_THAT(goal->problem(), HasSubstr("unknown type"));
+    EXPECT_FALSE(goal->couldSample());
+  };
+  saysWhy([&](const PlacementGoal& goal) { EXPECT_TRUE(std::isinf(goal.objective(state.get()))); });
+  saysWhy([&](const PlacementGoal& goal) { EXPECT_FALSE(goal.isSatisfied(state.get())); });
+  saysWhy([&](const PlacementGoal& goal) { goal.reportReached(state.get(), 0.0); });
+  Scoped drawn(problem.space);
+  saysWhy([&](const PlacementGoal& goal) { EXPECT_FALSE(goal.sample(drawn.get(), 1)); });
+}
+
 TEST(PlacementGoal, SaysWhyThereIsNothingToSample) {
   auto world = std::make_shared<ToyPlacement>();
   world->surfaces.clear();
@@ -378,7 +408,43 @@ TEST(PlacementObjective, GradientIsThatOfThePlane) {
   EXPECT_TRUE(gradient.isApprox(Eigen::Vector3d(3.0, -2.0, 0.5), 1e-9)) << gradient.transpose();
 }
 
-class PlacementPlanning : public ::testing::TestWithParam<const char*> {};
+/// Better towards +y, and knows at once where it is below 0.6.
+struct BoundedObjective : PlacementObjective {
+  mutable std::atomic<int> evaluations{0};
+  double evaluate(const Eigen::Isometry3d& X_WO) const override {
+    ++evaluations;
+    return X_WO.translation().y();
+  }
+  double quickBound(const Eigen::Isometry3d& X_WO) const override {
+    return X_WO.translation().y() < 0.6 ? 0.6 : std::numeric_limits<double>::infinity();
+  }
+};
+
+TEST(PlacementGoal, WhatABoundRulesOutIsNotEvaluated) {
+  const ToyProblem problem(halfWorld());
+  const auto objective = std::make_shared<BoundedObjective>();
+  const auto goal = problem.goal(objective);
+  Scoped state(problem.space);
+  goal->setObjectiveThreshold(0.6);
+  ASSERT_TRUE(goal->sample(state.get(), 100000));
+  expectGood(*state.get(), 0.6);
+  const PlacementStatistics counts = goal->statistics();
+  EXPECT_GT(counts.not_better, 0u);
+  EXPECT_EQ(counts.not_better + counts.unreachable + counts.hand_collides + counts.arm_collides +
+                counts.valid + counts.object_collides + counts.unstable,
+            counts.draws);
+  EXPECT_LE(static_cast<std::uint64_t>(objective->evaluations), counts.arm_collides + counts.valid)
+      << "all others are below 0.6";
+}
+
+class PlacementPlanning : public ::testing::TestWithParam<const char*> {
+ protected:
+  static ob::PlannerPtr plannerFor(const ToyProblem& problem) {
+    if (std::string(GetParam()) == "RRTConnect")
+      return std::make_shared<ompl::geometric::RRTConnect>(problem.si);
+    return std::make_shared<B4P>(problem.si);
+  }
+};
 
 TEST_P(PlacementPlanning, PathEndsInThePlacementAndCostsItsObjective) {
   const ToyProblem problem(halfWorld());
@@ -393,11 +459,7 @@ TEST_P(PlacementPlanning, PathEndsInThePlacementAndCostsItsObjective) {
     pdef->addStartState(start);
   }
   pdef->setGoal(goal);
-  ob::PlannerPtr planner;
-  if (std::string(GetParam()) == "RRTConnect")
-    planner = std::make_shared<ompl::geometric::RRTConnect>(problem.si);
-  else
-    planner = std::make_shared<B4P>(problem.si);
+  const ob::PlannerPtr planner = plannerFor(problem);
   planner->setProblemDefinition(pdef);
   ASSERT_EQ(planner->solve(20.0), ob::PlannerStatus::EXACT_SOLUTION);
   auto& path = *pdef->getSolutionPath()->as<ompl::geometric::PathGeometric>();
@@ -408,6 +470,30 @@ TEST_P(PlacementPlanning, PathEndsInThePlacementAndCostsItsObjective) {
   EXPECT_DOUBLE_EQ(path.cost(objective).value(), last->q[1]);
   EXPECT_TRUE(objective->isCostBetterThan(ob::Cost(0.6), ob::Cost(0.5)));
   EXPECT_FALSE(objective->isSatisfied(ob::Cost(1e9)));
+}
+
+TEST_P(PlacementPlanning, AGoalWithNothingToGiveEndsInAStatus) {
+  auto bare = halfWorld();
+  bare->surfaces.clear();
+  const auto nan = objectiveOf([](double, double) { return std::nan(""); });
+  for (const auto& [world, objective] : {std::pair(bare, flat()), {halfWorld(), nan}}) {
+    const ToyProblem problem(world);
+    auto pdef = std::make_shared<ob::ProblemDefinition>(problem.si);
+    Scoped start(problem.space);
+    start->q[0] = start->q[1] = start->q[2] = 0.0;
+    start->grasp = 0;
+    pdef->addStartState(start);
+    const auto goal = problem.goal(objective);
+    pdef->setGoal(goal);
+    const ob::PlannerPtr planner = plannerFor(problem);
+    planner->setProblemDefinition(pdef);
+    int asked = 0;
+    const ob::PlannerTerminationCondition never([&asked] { return ++asked > 1000000; });
+    EXPECT_FALSE(planner->solve(never));
+    EXPECT_LE(asked, 1000000) << "it ends by itself";
+    EXPECT_FALSE(pdef->hasSolution());
+    EXPECT_NE(goal->problem(), "");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, PlacementPlanning, ::testing::Values("RRTConnect", "B4P"));

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from b4p_figures.placements import curve
-from b4p_files.placements import placement_tables, placement_tasks
+from b4p_files.placements import nearly_best_table, placement_tables, placement_tasks
 from b4p_files.records import read_records
 
 LIMIT_S = 10.0
@@ -97,6 +97,37 @@ def test_the_ratio_is_that_of_median_times(tmp_path):
     assert table["slow"][1] == "0.600 (0.600 ... 0.600)"
 
 
+def scene_rows(text: str) -> list[list[str]]:
+    cells = [[cell.strip() for cell in row.strip("|").split("|")] for row in text.splitlines() if row.startswith("| ")]
+    return cells[1:]
+
+
+def nearly_best(folder: Path, runs: list[dict], against: str | None = None) -> list[list[str]]:
+    return scene_rows(nearly_best_table(placement_tasks(read_records(folder_of(folder, runs))), against))
+
+
+def test_times_to_nearly_the_best_are_those_of_a_scene(tmp_path):
+    # Objects and objectives are taken together; what only comes near to the best, or is none, counts as longer.
+    runs = [line("ours", name, n, (0.5, 0.0), (2.0, 1.0)) for name in ("cup", "box") for n in (1, 2)]
+    runs += [line("ours", "cup", 1, (2.0, 1.0), objective="min_clearance")]
+    runs += [line("as_printed", name, n, (0.5, 0.0), (8.0, 0.96)) for name in ("cup", "box") for n in (1, 2)]
+    runs += [line("as_printed", "cup", 1, (0.5, 0.0), (8.0, 0.96), objective="min_clearance")]
+    runs += [line("never", "cup", 1, (0.1, 0.94)), line("never", "box", 1)]
+    assert nearly_best(tmp_path, runs) == [
+        ["panda_shelf", "ours", "5 of 5", "2 (2 ... 2)", "4.00 (4.00 ... 4.00)"],
+        ["panda_shelf", "as_printed", "5 of 5", "8 (8 ... 8)", "-"],
+        ["panda_shelf", "never", "0 of 2", "> 10 (10 ... 10)", "< 0.80 (0.80 ... 0.80)"],
+    ]
+    assert nearly_best(tmp_path, runs, "ours")[1][4] == "0.25 (0.25 ... 0.25)"
+
+
+def test_a_time_beyond_the_limit_bounds_the_ratio(tmp_path):
+    runs = [line("ours", "cup", 1, (2.0, 1.0)), line("as_printed", "cup", 1, (1.0, 0.0)), line("none", "cup", 1)]
+    table = nearly_best(tmp_path, runs)
+    assert [row[4] for row in table] == ["> 5.00 (5.00 ... 5.00)", "-", "-"]
+    assert [row[3] for row in table] == ["2 (2 ... 2)", "> 10 (10 ... 10)", "> 10 (10 ... 10)"]
+
+
 def test_curves_are_means_with_standard_errors(tmp_path):
     (task,) = placement_tasks(read_records(folder_of(tmp_path, RUNS)))
     times = np.array([0.0, 1.9, 2.0, 4.5, 10.0])
@@ -129,6 +160,7 @@ def test_the_script_writes_table_and_picture(script, tmp_path):
     assert result.returncode == 0, result.stderr
     assert result.stdout.split() == [str(out / "placements.md"), str(out / "placements.png")]
     assert (out / "placements.png").stat().st_size > 10_000
+    assert "## Time to 95% of the best" in (out / "placements.md").read_text()
 
 
 def test_what_cannot_be_compared_is_refused(refuses, tmp_path):
@@ -139,6 +171,7 @@ def test_what_cannot_be_compared_is_refused(refuses, tmp_path):
     path = {key: value for key, value in RUNS[0].items() if key != "placement"}
     refuses("no run on a placement scene", "placement_plots.py", folder_of(tmp_path, [path]), "-o", out)
     refuses("'three'", "placement_plots.py", folder_of(tmp_path, RUNS), "-o", out, "--reference", "three")
+    refuses("--against", "placement_plots.py", folder_of(tmp_path, RUNS), "-o", out, "--against", "three")
     broken = json.loads(json.dumps(RUNS[0]))
     broken["placement"]["improvements"][0]["objective_m"] = "far"
     refuses("runs.jsonl", "placement_plots.py", folder_of(tmp_path, [broken]), "-o", out)
