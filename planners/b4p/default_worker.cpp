@@ -77,9 +77,14 @@ void DefaultWorker::drawRoots() {
     placeTreeFor(placement, pick.grasp);
 }
 
-// Forests have as many place roots as their nodes have doubled.
-bool DefaultWorker::deservesRoot(const ForestPair& forests) const {
-  return std::size_t{1} << std::min<std::size_t>(forests.treeCount(Side::kPlace), 63) <= forests.nodeCount();
+// Forests have as many roots on a side as their nodes have doubled.
+bool DefaultWorker::deservesRoot(const ForestPair& forests, Side side) {
+  return std::size_t{1} << std::min<std::size_t>(forests.treeCount(side), 63) <= forests.nodeCount();
+}
+
+bool DefaultWorker::wantsPick(GraspId grasp) {
+  const ForestPair& forests = search().forestsOf(grasp);
+  return forests.treeCount(Side::kPick) == 0 || deservesRoot(forests, Side::kPick);
 }
 
 // Forests are worth a turn of their own once both their sides have a root.
@@ -143,7 +148,7 @@ void DefaultWorker::joinAcrossGrasps(const Node* grown) {
 // roots enough for now.
 const Tree* DefaultWorker::placeTreeFor(PlacementId placement, GraspId grasp) {
   if (const auto known = search().memory().placeTree(placement, grasp)) return *known;
-  if (!deservesRoot(search().forestsOf(grasp))) return nullptr;
+  if (!deservesRoot(search().forestsOf(grasp), Side::kPlace)) return nullptr;
   const Tree* tree = nullptr;
   if (derivePlaceRoot(placement, grasp)) tree = search().plant(Side::kPlace, root(), grasp, placement);
   share(search().log(), [&memory = search().memory(), placement, grasp, tree] {

@@ -29,7 +29,8 @@ class DefaultWorker : public Worker {
   void endTurn(Schedule::Outcome outcome);
   void drawRoots();
   void seekPlaceRoot(GraspId grasp, PlacementId placement);
-  bool deservesRoot(const ForestPair& forests) const;
+  bool wantsPick(GraspId grasp) override;
+  static bool deservesRoot(const ForestPair& forests, Side side);
   void grow(ForestPair& forests);
   bool leavesRoots(const ForestPair& forests);
   bool leavesRoots(const ForestPair& forests, Side side);

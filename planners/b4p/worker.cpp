@@ -42,6 +42,7 @@ void Worker::endRepair(const std::shared_ptr<PathRepair>& repair) {
 
 Worker::Pick Worker::plantPick(GraspId grasp) {
   if (grasp == kNoGrasp) return {};
+  if (!wantsPick(grasp)) return {grasp, false};
   return {grasp, search_.plant(Side::kPick, root(), grasp) != nullptr};
 }
 

@@ -58,6 +58,11 @@ class Worker : public ParallelWorker {
   ompl::base::State* root() { return drawer_.root(); }
 
  private:
+  /// Whether another pick root of a grasp may join.
+  virtual bool wantsPick(GraspId grasp) {
+    static_cast<void>(grasp);
+    return true;
+  }
   Pick plantPick(GraspId grasp);
   void helpRepair(const std::shared_ptr<PathRepair>& repair);
   void endRepair(const std::shared_ptr<PathRepair>& repair);
