@@ -76,7 +76,7 @@ TEST_P(PickPlaceProblem, SolvedWhenOneGraspOfEightFits) {
   if (GetParam().settles && status == ob::PlannerStatus::TIMEOUT)
     GTEST_SKIP() << "a fixed number of roots may hold no compatible grasp";
   EXPECT_EQ(status, ob::PlannerStatus::EXACT_SOLUTION);
-  expectSound(setup);
+  ASSERT_NO_FATAL_FAILURE(expectSound(setup));
   const auto& path = *setup.problem->getSolutionPath()->as<og::PathGeometric>();
   EXPECT_EQ(path.getState(0)->as<StateType>()->grasp, 3);
 }
