@@ -123,22 +123,40 @@ class Block {
     return true;
   }
 
+  // Those of the boxes from `first` on, a register's width of them, that meet a swept box.
+  std::uint32_t meeting(const LaneBoxes& boxes, int first, const float* swept) const {
+    auto meet = hn::FirstN(d_, hn::Lanes(d_));
+    for (int k = 0; k < 3; ++k) {
+      meet = hn::And(meet, hn::Le(hn::LoadU(d_, boxes.low[k].data() + first), constant(swept[3 + k])));
+      meet = hn::And(meet, hn::Ge(hn::LoadU(d_, boxes.high[k].data() + first), constant(swept[k])));
+    }
+    return bitsOf(meet);
+  }
+
   void lookAtObstacles(int i) {
     const float* swept = scratch_.swept + 6 * i;
-    const int count = world_.bodyCount() - world_.obstacle_begin;
+    const ObstacleGroups& sorted = world_.obstacle_groups;
+    for (int first = 0; first < sorted.count; first += width_)
+      for (std::uint32_t bits = meeting(sorted.groups, first, swept); bits != 0; bits &= bits - 1)
+        if (!lookAtGroup(i, first + lowestBit(bits))) return;
+  }
+
+  // False when that has ended the search.
+  bool lookAtGroup(int i, int group) {
+    const float* swept = scratch_.swept + 6 * i;
+    const ObstacleGroups& sorted = world_.obstacle_groups;
     const float motion_m = query_.body_motion_m ? query_.body_motion_m[i] : 0.0f;
-    for (int first = 0; first < count; first += width_) {
-      auto meet = hn::FirstN(d_, static_cast<std::size_t>(count - first));
-      for (int k = 0; k < 3; ++k) {
-        meet = hn::And(meet, hn::Le(hn::LoadU(d_, world_.low[k].data() + first), constant(swept[3 + k])));
-        meet = hn::And(meet, hn::Ge(hn::LoadU(d_, world_.high[k].data() + first), constant(swept[k])));
-      }
-      for (std::uint32_t bits = bitsOf(meet); bits != 0; bits &= bits - 1) {
-        const int obstacle = first + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+    for (int first = group * kLanes; first < (group + 1) * kLanes; first += width_)
+      for (std::uint32_t bits = meeting(sorted.boxes, first, swept); bits != 0; bits &= bits - 1) {
+        const int obstacle = sorted.order[static_cast<std::size_t>(first + lowestBit(bits))];
         look(i, world_.obstacle_begin + obstacle, motion_m, active_);
-        if (ended()) return;
+        if (ended()) return false;
       }
-    }
+    return true;
+  }
+
+  static int lowestBit(std::uint32_t bits) {
+    return static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
   }
 
   template <typename Mask>
@@ -166,8 +184,8 @@ class Block {
     V square = hn::Zero(d_);
     for (int k = 0; k < 3; ++k) {
       const V extent = hn::Load(d_, placed(a) + (12 + k) * kLanes + lane);
-      const V above = hn::Sub(hn::Sub(pa.middle[k], extent), constant(world_.high[k][o]));
-      const V below = hn::Sub(constant(world_.low[k][o]), hn::Add(pa.middle[k], extent));
+      const V above = hn::Sub(hn::Sub(pa.middle[k], extent), constant(world_.obstacles.high[k][o]));
+      const V below = hn::Sub(constant(world_.obstacles.low[k][o]), hn::Add(pa.middle[k], extent));
       const V gap = positive(hn::Max(above, below));
       square = hn::MulAdd(gap, gap, square);
     }

@@ -183,14 +183,11 @@ void LaneModel::addStill(const FclWorld& world) {
     const Aabb around = pieces[i].bounds.posed(X_WS).aabb();
     const double margin = lanes_.still.back().margin;
     for (int k = 0; k < 3; ++k) {
-      lanes_.low[k].push_back(static_cast<float>(around.centre[k] - around.half[k] - margin));
-      lanes_.high[k].push_back(static_cast<float>(around.centre[k] + around.half[k] + margin));
+      lanes_.obstacles.low[k].push_back(static_cast<float>(around.centre[k] - around.half[k] - margin));
+      lanes_.obstacles.high[k].push_back(static_cast<float>(around.centre[k] + around.half[k] + margin));
     }
   }
-  for (int k = 0; k < 3; ++k) {
-    lanes_.low[k].resize(lanes_.low[k].size() + kLanes, 0.0f);
-    lanes_.high[k].resize(lanes_.high[k].size() + kLanes, 0.0f);
-  }
+  lanes_.obstacle_groups = groupObstacles(lanes_.obstacles);
 }
 
 LaneRobot LaneModel::robot(const FclWorld& world, double opening_m, const Eigen::Isometry3d* X_TO) const {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "state_validity/lanes/obstacle_groups.h"
+
 namespace b4p::lanes {
 
 /// Configurations that are looked at together, whatever the width of the processor's registers.
@@ -58,8 +60,8 @@ struct LaneWorld {
   int moving_end = 0;             ///< bodies from here on stand still
   int obstacle_begin = 0;
   std::vector<LaneBody> still;  ///< bodies moving_end and up
-  /// Bounding boxes of the obstacles, with room for whole registers at the end.
-  std::vector<float> low[3], high[3];
+  LaneBoxes obstacles;          ///< their bounding boxes
+  ObstacleGroups obstacle_groups;
   float clear_m = 0;  ///< bodies farther apart than this count as apart
 
   const LaneBody& stillBody(int i) const { return still[static_cast<std::size_t>(i - moving_end)]; }
