@@ -11,6 +11,8 @@ constexpr std::size_t kAtOnce = 16;
 constexpr int kRounds = 4;
 /// A straight way of this many steps leads out.
 constexpr int kWayOutSteps = 4;
+/// In one of so many calls a way out is not asked for.
+constexpr int kAnyOneIn = 4;
 
 }  // namespace
 
@@ -26,6 +28,7 @@ HandSieve::HandSieve(const GraspSampler& sampler, const CollisionChecker& bare_h
     : sampler_(sampler), bare_hands_(bare_hands), gripper_(gripper), retreat_(retreat) {}
 
 std::optional<Grasp> HandSieve::draw(const Eigen::Isometry3d& X_WO, std::mt19937_64& random) {
+  const bool any = std::uniform_int_distribution<int>(1, kAnyOneIn)(random) == 1;
   std::optional<Grasp> boxed_in;
   for (int round = 0; round < kRounds; ++round) {
     drawn_.clear();
@@ -34,7 +37,7 @@ std::optional<Grasp> HandSieve::draw(const Eigen::Isometry3d& X_WO, std::mt19937
     for (std::size_t i = 0; i < kAtOnce; ++i) {
       const Eigen::Isometry3d X_WT = X_WO * drawn_[i].X_OT;
       if (!fits_[i] || !gripper_.isFree(X_WT, drawn_[i])) continue;
-      if (leaves(X_WT, drawn_[i])) return drawn_[i];
+      if (any || leaves(X_WT, drawn_[i])) return drawn_[i];
       boxed_in = drawn_[i];
     }
   }

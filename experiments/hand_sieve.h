@@ -27,9 +27,9 @@ class HandSieve {
   HandSieve(const GraspSampler& sampler, const CollisionChecker& bare_hands, FloatingBody& gripper,
             Retreat& retreat);
 
-  /// A grasp whose hand is free around the object at X_WO and, among a few draws, one that has a straight way
-  /// out where there is such. A hand without one may still turn out of its place. Nothing when no hand was
-  /// free.
+  /// A grasp whose hand is free around the object at X_WO. Mostly it has a straight way out, where one of a
+  /// few draws has; a hand without one may still turn out of its place, so that in one of four calls the
+  /// first that is free will do. Nothing when no hand was free.
   std::optional<Grasp> draw(const Eigen::Isometry3d& X_WO, std::mt19937_64& random);
 
  private:

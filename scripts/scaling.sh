@@ -69,17 +69,17 @@ for ((seed = first_seed; ${#seeds[@]} < instances; ++seed)); do
     continue
   fi
   seeds+=("$seed")
-  [[ ! -f $out/scenes/$seed.list ]] || continue
+  [[ ! -f $out/scenes/$seed.$most.list ]] || continue
   "$b4p" export "$scene.yaml" --grasps "$most" --placements 1 --place-roots 0 --seed "$seed" --out "$scene.jsonl"
   "$python" "$root/scripts/scaling_scenes.py" "$scene.yaml" --queries "$scene.jsonl" --result "$scene.json" \
-    --instance "$seed" --most "$most" -o "$out/scenes" >"$out/scenes/$seed.list.part"
-  mv "$out/scenes/$seed.list.part" "$out/scenes/$seed.list"
+    --instance "$seed" --most "$most" -o "$out/scenes" >"$out/scenes/$seed.$most.list.part"
+  mv "$out/scenes/$seed.$most.list.part" "$out/scenes/$seed.$most.list"
 done
 
 # Usage: measure_axis AXIS RUNS
 measure_axis() {
   local list
-  list=$(for seed in "${seeds[@]}"; do grep "/$1_" "$out/scenes/$seed.list"; done | sed 's|.*/|, scenes/|' | tr -d '\n')
+  list=$(for seed in "${seeds[@]}"; do sed 's|.*/||' "$out/scenes/$seed.$most.list"; done | grep "^$1_" | sed 's|^|, scenes/|' | tr -d '\n')
   sed "s|^scenes:.*|scenes: [${list:2}]|" "$root/experiments/scaling/scaling.yaml" >"$out/$1.yaml"
   heading "${1^}"
   resume_bench "$out/$1.yaml" "$out/$1" --runs "$2" --time-limit-s "$limit_s"

@@ -7,6 +7,7 @@
 #include "experiments/commands/commands.h"
 #include "experiments/commands/whole_number.h"
 #include "experiments/output_file.h"
+#include "experiments/preflight.h"
 #include "experiments/query_export/query_export.h"
 
 namespace b4p {
@@ -40,6 +41,8 @@ int exportQueries(const Options& options) {
   const QueryExportSettings settings = settingsFrom(options);
   std::vector<Scene> scenes;
   for (const std::string& scene : options.scenes) scenes.push_back(loadScene(scene));
+  for (const Scene& scene : scenes) requireExportable(scene);
+  for (const Scene& scene : scenes) preflight(scene);
   requireWritableFile(options.out);
   std::string lines, report;
   for (const Scene& scene : scenes) {

@@ -118,11 +118,10 @@ PointCloudHeader readPcd(PointFile& file, Words line) {
     }
   }
   if (!given["POINTS"]) file.fail("", "the PCD header has no POINTS");
-  if (header.encoding != PointEncoding::kText) {
-    for (const char* key : {"SIZE", "TYPE"})
-      if (!given[key]) file.fail("", std::string("the PCD header has no ") + key);
-    requireFormats(file, header.columns);
-  }
+  for (const char* key : {"SIZE", "TYPE"})
+    if (header.encoding != PointEncoding::kText && !given[key])
+      file.fail("", std::string("the PCD header has no ") + key);
+  if (given["SIZE"] && given["TYPE"]) requireFormats(file, header.columns);
   return header;
 }
 

@@ -146,10 +146,14 @@ ExportedQuery exportReach(const Scene& scene, const ReachTask& task, const Query
 
 }  // namespace
 
-ExportedQuery exportQuery(const Scene& scene, const QueryExportSettings& settings) {
+void requireExportable(const Scene& scene) {
   if (scene.kind() == TaskKind::kPlacement)
     throw InputError(scene.file, "place",
                      "is a task of placement; those of pick and place and of reaching can be exported");
+}
+
+ExportedQuery exportQuery(const Scene& scene, const QueryExportSettings& settings) {
+  requireExportable(scene);
   if (const auto* reach = std::get_if<ReachTask>(&scene.task)) return exportReach(scene, *reach, settings);
   return exportPickPlace(scene, settings);
 }

@@ -24,6 +24,9 @@ struct ExportedQuery {
   std::string failure;  ///< the first root that failed its verification, or ""
 };
 
+/// @throws InputError for a placement scene
+void requireExportable(const Scene& scene);
+
 /// @throws InputError for a placement scene, and when the robot's files are at fault
 ExportedQuery exportQuery(const Scene& scene, const QueryExportSettings& settings);
 

@@ -12,7 +12,7 @@ void tryPose(const PlacementWorld& world, const PlacementObjective& objective,
   outcome.stable = world.stable(X_WO);
   if (options.reward != PlacementReward::kPaper) {
     if (!outcome.stable) return;
-    outcome.hopeless = !(objective.quickBound(X_WO) > threshold);
+    outcome.hopeless = objective.quickBound(X_WO) <= threshold;  // false for NaN: the value will tell
     if (outcome.hopeless) return;
   }
   outcome.object_free = context.objectFree(X_WO);

@@ -135,6 +135,10 @@ TEST(PointCloud, BinaryFilesThatAreMalformedAreRefusedInOneLine) {
   EXPECT_THAT(cloudRefusal(binaryPcd(good + binaryRow(nan, 1.0, 0))),
               AllOf(HasSubstr("point 1"), HasSubstr("nan")));
   EXPECT_THAT(cloudRefusal(replaced(binaryPcd(good + good), "SIZE 4 1 8 2\n", "")), HasSubstr("no SIZE"));
+  EXPECT_THAT(
+      cloudRefusal(
+          "FIELDS x y z\nSIZE 99999999999999 4 4\nTYPE F F F\nCOUNT 1 1 1\nPOINTS 1\nDATA ascii\n0 0 0\n"),
+      HasSubstr("field 'x' of TYPE F has SIZE 99999999999999"));
   EXPECT_THAT(cloudRefusal(replaced(binaryPcd(good + good), "SIZE 4 1 8", "SIZE 2 1 8")),
               HasSubstr("field 'x' of TYPE F has SIZE 2"));
   EXPECT_THAT(cloudRefusal(replaced(binaryPcd(good + good), "SIZE 4 1 8", "SIZE 4 3 8")),
