@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalStates.h>
-#include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
@@ -22,6 +21,7 @@
 #include <ompl/util/Console.h>
 
 #include "planners/conformance.h"
+#include "planners/manhattan_space.h"
 
 namespace b4p::test {
 namespace {
@@ -211,23 +211,21 @@ TEST_P(OmplProblem, ChainOfAngles) {
   expectSolved(setup);
 }
 
-TEST_P(OmplProblem, CarThatCannotGoSideways) {
-  auto space = std::make_shared<ob::DubinsStateSpace>(0.5);
-  ob::RealVectorBounds bounds(2);
-  bounds.setLow(0.0);
-  bounds.setHigh(6.0);
-  space->setBounds(bounds);
+TEST_P(OmplProblem, MotionsThatHaveADirection) {
+  auto space = std::make_shared<ManhattanSpace>();
+  space->setBounds(0.0, 6.0);
   og::SimpleSetup setup(space);
   setup.getSpaceInformation()->setStateValidityCheckingResolution(0.002);
-  setup.setStateValidityChecker([si = setup.getSpaceInformation().get()](const ob::State* state) {
-    const auto* s = state->as<ob::SE2StateSpace::StateType>();
-    return si->satisfiesBounds(s) && (std::abs(s->getX() - 3.0) > 0.3 || s->getY() > 3.5);
+  setup.setStateValidityChecker([](const ob::State* state) {
+    const double* v = state->as<RealVector>()->values;
+    const bool in_wall = std::abs(v[0] - 3.0) < 0.3 && v[1] < 3.5;
+    const bool in_ledge = std::abs(v[1] - 3.0) < 0.1 && v[0] > 0.5 && v[0] < 3.0;
+    return !in_wall && !in_ledge;
   });
-  ob::ScopedState<ob::SE2StateSpace> start(space), goal(space);
-  start->setXY(1.0, 1.0);
-  start->setYaw(0.0);
-  goal->setXY(5.0, 1.0);
-  goal->setYaw(-kPi);
+  ob::ScopedState<> start(space), goal(space);
+  start[0] = start[1] = 1.0;
+  goal[0] = 5.0;
+  goal[1] = 1.0;
   setup.setStartAndGoalStates(start, goal);
   expectSolved(setup);
 }

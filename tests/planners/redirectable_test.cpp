@@ -11,12 +11,12 @@
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/goals/GoalStates.h>
-#include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "planners/manhattan_space.h"
 #include "planners/placement/redirectable_rrt_connect.h"
 #include "planners/toy_world.h"
 
@@ -217,20 +217,17 @@ TEST(RedirectableSearch, EdgesStayValidWhateverIsRemoved) {
 
 TEST(RedirectableSearch, EdgesStayValidWhereMotionsHaveADirection) {
   ompl::msg::noOutputHandler();
-  auto space = std::make_shared<ob::DubinsStateSpace>(0.5);
-  ob::RealVectorBounds bounds(2);
-  bounds.setLow(0.0);
-  bounds.setHigh(10.0);
-  space->setBounds(bounds);
+  auto space = std::make_shared<ManhattanSpace>();
+  space->setBounds(0.0, 10.0);
   auto si = std::make_shared<ob::SpaceInformation>(space);
-  si->setStateValidityChecker([si = si.get()](const ob::State* state) {
-    const auto* s = state->as<ob::SE2StateSpace::StateType>();
-    return si->satisfiesBounds(state) && (std::abs(s->getX() - 5.0) > 0.3 || std::abs(s->getY() - 5.0) < 1.5);
+  si->setStateValidityChecker([](const ob::State* state) {
+    const double* v = state->as<Real>()->values;
+    return std::abs(v[0] - 5.0) > 0.3 || std::abs(v[1] - 5.0) < 1.5;
   });
   si->setup();
-  ob::ScopedState<ob::SE2StateSpace> start(si);
-  start->setXY(2.0, 5.0);
-  start->setYaw(0.0);
+  ob::ScopedState<> start(si);
+  start[0] = 2.0;
+  start[1] = 5.0;
   expectSoundWhileRedirected(si, start.get(), 1);
 }
 
