@@ -124,11 +124,13 @@ bool DefaultWorker::leavesRoots(const ForestPair& forests) {
   return leavesRoots(forests, Side::kPlace) && leavesRoots(forests, Side::kPick);
 }
 
-// Whether some root has a straight way out of at least half the length that is tried.
+// Whether some root has a straight way out of at least half the length that is tried; then the others need
+// none.
 bool DefaultWorker::leavesRoots(const ForestPair& forests, Side side) {
   const unsigned steps = search().parameters().retreat_steps;
   bool leaves = region().retreatDirections() == 0;
   for (Tree* tree : forests.trees(side)) {
+    if (leaves) break;
     search().statistics().nodes += retreat(*tree, steps, region(), motion(), root());
     leaves = leaves || tree->way_out >= steps / 2;
   }
