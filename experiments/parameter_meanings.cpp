@@ -17,6 +17,7 @@ const Meanings kOfParallelPlanners{
     {"place_roots", "b4p-paper: place trees (count)"},
     {"relaxed", "1: trees of different grasps are joined; 0: only those of equal grasps"},
     {"repair", "1: a path that collides after its place root was derived anew is repaired; 0: thrown away"},
+    {"slide", "b4p: 1: where a motion is blocked, trees go on along one joint at a time; 0: they stop there"},
     {"range", "longest motion added at once (joint distance: rad, m for sliding joints); 0: no limit"},
     {"slice",
      "first turn of growth of a grasp's trees before others have theirs (iterations); b4p and "

@@ -14,6 +14,7 @@ B4P::B4P(const ompl::base::SpaceInformationPtr& si) : ParametrisedPlanner(si, "B
   declare("restart_iterations", &B4PParameters::restart_iterations, "0:1:1000000000");
   declare("relaxed", &B4PParameters::relaxed, "0,1");
   declare("repair", &B4PParameters::repair, "0,1");
+  declare("slide", &B4PParameters::slide, "0,1");
   declare("range", &B4PParameters::range, "0.:0.01:10000.");
   declare("slice", &B4PParameters::slice, "1:1:100000");
   declare("retreat_steps", &B4PParameters::retreat_steps, "0:1:100");

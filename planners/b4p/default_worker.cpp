@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planners/b4p/retreat.h"
+#include "planners/b4p/sliding.h"
 
 namespace b4p {
 
@@ -20,7 +21,7 @@ constexpr std::uint64_t kOld = 64;
 constexpr unsigned kOldSlices = 4;
 
 /// A turn ends when so many motions of one side in a row were blocked at once.
-constexpr unsigned kPatience = 8;
+constexpr unsigned kPatience = 4;
 
 }  // namespace
 
@@ -98,10 +99,18 @@ void DefaultWorker::grow(ForestPair& forests) {
   if (first && search().region() != nullptr && !leavesRoots(forests) && turn_->age == 0)
     return endTurn(Outcome::kPutOff);
   const ob::State* target = first ? anyRoot(forests, opposite(next_side_)) : motion().sample();
-  const Growth growth = growAndConnect(forests, next_side_, target, motion());
-  next_side_ = opposite(next_side_);
+  const Side side = std::exchange(next_side_, opposite(next_side_));
+  const bool sliding = search().parameters().slide && !first;
+  const std::optional<Growth> attempt = sliding ? slideAndConnect(forests, side, target, motion())
+                                                : growAndConnect(forests, side, target, motion());
+  if (!attempt) {
+    ++left_;
+    return;
+  }
+  const Growth& growth = *attempt;
+  turn_->gap = std::min(turn_->gap, growth.gap);
   search().statistics().nodes += growth.nodes;
-  unsigned& trapped = trapped_[index(opposite(next_side_))];
+  unsigned& trapped = trapped_[index(side)];
   trapped = growth.grown == nullptr ? trapped + 1 : 0;
   if (trapped == kPatience && search().region() != nullptr) left_ = 1;
   if (growth.grown == nullptr) return;
@@ -115,11 +124,13 @@ bool DefaultWorker::leavesRoots(const ForestPair& forests) {
   return leavesRoots(forests, Side::kPlace) && leavesRoots(forests, Side::kPick);
 }
 
-// Whether some root has a straight way out of at least half the length that is tried.
+// Whether some root has a straight way out of at least half the length that is tried; then the others need
+// none.
 bool DefaultWorker::leavesRoots(const ForestPair& forests, Side side) {
   const unsigned steps = search().parameters().retreat_steps;
   bool leaves = region().retreatDirections() == 0;
   for (Tree* tree : forests.trees(side)) {
+    if (leaves) break;
     search().statistics().nodes += retreat(*tree, steps, region(), motion(), root());
     leaves = leaves || tree->way_out >= steps / 2;
   }

@@ -96,7 +96,7 @@ bool ForestPair::hasRoot(Side side, const ob::State* root, GraspId grasp) const 
 }
 
 Tree* ForestPair::makeTree(Side side, const ob::State* root, GraspId grasp, PlacementId placement) {
-  storage_.push_back(Node{si_->cloneState(root), nullptr, nullptr});
+  storage_.emplace_back(si_->cloneState(root), nullptr, nullptr);
   Tree* tree = &tree_storage_.emplace_back();
   tree->side = side;
   tree->grasp = grasp;
@@ -112,7 +112,7 @@ const Node* ForestPair::grow(const Node* parent, const ob::State* state) {
   const Node* node = nullptr;
   {
     std::unique_lock<std::shared_mutex> lock(mutex_);
-    storage_.push_back(Node{si_->cloneState(state), const_cast<Node*>(parent), tree});
+    storage_.emplace_back(si_->cloneState(state), const_cast<Node*>(parent), tree);
     node = &storage_.back();
   }
   tree->size.fetch_add(1, std::memory_order_relaxed);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -31,6 +32,9 @@ struct Node {
   const ompl::base::State* state;
   Node* parent;  ///< nullptr for a root
   Tree* tree;
+  mutable std::atomic<std::uint8_t> trapped{0};  ///< how often it could not move, as far as that is counted
+
+  Node(const ompl::base::State* at, Node* below, Tree* of) : state(at), parent(below), tree(of) {}
 };
 
 /// What has grown from one root. Place roots remember the object placement they were derived from.

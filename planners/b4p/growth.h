@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 
 #include <ompl/geometric/PathGeometric.h>
@@ -21,16 +23,18 @@ struct Expansion {
   const Node* node = nullptr;  ///< nullptr when it could not move
   bool reached = false;        ///< the node is at the target
   bool added = false;          ///< false when the target was in the tree already
+  bool blocked = false;        ///< something is in the way to the target
 };
 
 /// Extends a tree from `near` towards `target` as far as the motion stays free (Algorithm 3, ExpandTree).
 /// @tparam Forests  a ForestPair, or what has its grow()
 template <class Forests>
 Expansion expandFrom(Forests& forests, const Node* near, const ompl::base::State* target, Motion& motion) {
-  if (motion.grasps().samePlace(near->state, target)) return {near, true, false};
+  if (motion.grasps().samePlace(near->state, target)) return {near, true, false, false};
   const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp, near->tree->side);
-  if (reach == Motion::Reach::kTrapped) return {};
-  return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached, true};
+  if (reach == Motion::Reach::kTrapped) return {nullptr, false, false, true};
+  return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached, true,
+          reach == Motion::Reach::kStopped};
 }
 
 /// Extends the tree nearest to `target` on one side (FindNearestTree and ExpandTree). Nothing while the side
@@ -42,12 +46,32 @@ Expansion expand(Forests& forests, Side side, const ompl::base::State* target, M
   return near == nullptr ? Expansion{} : expandFrom(forests, near, target, motion);
 }
 
-/// What one iteration of growAndConnect() led to.
+/// What one iteration of RRT-Connect led to.
 struct Growth {
-  const Node* grown = nullptr;       ///< where the side that grew has got to, if it moved
-  std::optional<Junction> junction;  ///< set when the two sides met
-  std::size_t nodes = 0;             ///< how many were added
+  const Node* grown = nullptr;                           ///< where the side that grew has got to, if it moved
+  std::optional<Junction> junction;                      ///< set when the two sides met
+  std::size_t nodes = 0;                                 ///< how many were added
+  double gap = std::numeric_limits<double>::infinity();  ///< from `grown` to where the other side has got
 };
+
+/// The second half of the iteration: `side` has got to `growth.grown`, and the other side grows straight
+/// toward it.
+/// @tparam Forests  see expand()
+template <class Forests>
+void connect(Forests& forests, Side side, Growth& growth, Motion& motion) {
+  const ompl::base::State* target = growth.grown->state;
+  const Node* near = forests.nearest(opposite(side), target);
+  if (near == nullptr) return;
+  Expansion met;
+  do {
+    met = expandFrom(forests, near, target, motion);
+    growth.nodes += met.added;
+    if (met.node != nullptr) near = met.node;
+  } while (!met.reached && !met.blocked);
+  growth.gap = motion.grasps().distance()(near->state, target);
+  if (met.reached)
+    growth.junction = side == Side::kPick ? Junction{growth.grown, near} : Junction{near, growth.grown};
+}
 
 /// One iteration of RRT-Connect on forests whose trees share a grasp: `side` grows toward `target`, the other
 /// side then grows toward the new node.
@@ -58,16 +82,7 @@ Growth growAndConnect(Forests& forests, Side side, const ompl::base::State* targ
   const Expansion expansion = expand(forests, side, target, motion);
   growth.grown = expansion.node;
   growth.nodes = expansion.added;
-  if (growth.grown == nullptr) return growth;
-  Expansion met = expand(forests, opposite(side), growth.grown->state, motion);
-  growth.nodes += met.added;
-  while (met.node != nullptr && !met.reached) {
-    met = expandFrom(forests, met.node, growth.grown->state, motion);
-    growth.nodes += met.added;
-  }
-  if (met.reached)
-    growth.junction =
-        side == Side::kPick ? Junction{growth.grown, met.node} : Junction{met.node, growth.grown};
+  if (growth.grown != nullptr) connect(forests, side, growth, motion);
   return growth;
 }
 

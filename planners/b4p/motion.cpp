@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/b4p/motion.h"
 
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SO2StateSpace.h>
+
 #include "planners/manipulation_state_space.h"
 
 namespace b4p {
@@ -8,6 +11,27 @@ namespace b4p {
 namespace ob = ompl::base;
 
 using ManipulationState = ManipulationStateSpace::StateType;
+
+namespace {
+
+/// How many values the states of a space consist of; 0 unless any of them can be set by itself.
+unsigned independentValues(const ob::StateSpace& space) {
+  if (const auto* joints = dynamic_cast<const ManipulationStateSpace*>(&space)) return joints->dof();
+  if (const auto* vectors = dynamic_cast<const ob::RealVectorStateSpace*>(&space))
+    return vectors->getDimension();
+  if (dynamic_cast<const ob::SO2StateSpace*>(&space) != nullptr) return 1;
+  if (!space.isCompound()) return 0;
+  unsigned sum = 0;
+  const auto& parts = *space.as<ob::CompoundStateSpace>();
+  for (unsigned i = 0; i < parts.getSubspaceCount(); ++i) {
+    const unsigned values = independentValues(*parts.getSubspace(i));
+    if (values == 0) return 0;
+    sum += values;
+  }
+  return sum;
+}
+
+}  // namespace
 
 GraspAccess::GraspAccess(const ob::SpaceInformationPtr& si)
     : si_(si), present_(dynamic_cast<const ManipulationStateSpace*>(si->getStateSpace().get()) != nullptr) {}
@@ -37,15 +61,17 @@ Motion::Motion(const ob::SpaceInformationPtr& si, double range)
       distance_(grasps_.distance()),
       range_(range),
       symmetric_(si->getStateSpace()->hasSymmetricInterpolate()),
+      values_(symmetric_ ? independentValues(*si->getStateSpace()) : 0),
       sampler_(si->allocStateSampler()) {
   sample_ = si_->allocState();
   from_ = si_->allocState();
   to_ = si_->allocState();
   end_ = si_->allocState();
+  beside_ = si_->allocState();
 }
 
 Motion::~Motion() {
-  for (ob::State* state : {sample_, from_, to_, end_}) si_->freeState(state);
+  for (ob::State* state : {sample_, from_, to_, end_, beside_}) si_->freeState(state);
 }
 
 const ob::State* Motion::sample() {
@@ -83,7 +109,17 @@ Motion::Reach Motion::extend(const ob::State* from, const ob::State* to, GraspId
   if (backwards || last_valid.second <= 0.0) return Reach::kTrapped;
   // Validators that space their checks by an edge's length check other points of the shorter edge.
   const bool still_free = grasps_.present() || si_->checkMotion(from_, end_);
-  return still_free ? Reach::kAdvanced : Reach::kTrapped;
+  return still_free ? Reach::kStopped : Reach::kTrapped;
+}
+
+const ob::State* Motion::alongValue(unsigned value, const ob::State* from, const ob::State* to) {
+  const ob::StateSpace& space = *si_->getStateSpace();
+  si_->copyState(beside_, from);
+  double& moved = *space.getValueAddressAtIndex(beside_, value);
+  const double there = *space.getValueAddressAtIndex(to, value);
+  if (moved == there) return nullptr;
+  moved = there;
+  return beside_;
 }
 
 bool Motion::isFree(const ob::State* a, const ob::State* b, GraspId grasp) {

@@ -31,7 +31,13 @@ class GraspAccess {
 /// SpaceInformation. One per thread.
 class Motion {
  public:
-  enum class Reach { kTrapped, kAdvanced, kReached };
+  /// How far a motion got.
+  enum class Reach {
+    kTrapped,   ///< nowhere: it is blocked at once
+    kStopped,   ///< as far as it is free
+    kAdvanced,  ///< the whole of its range
+    kReached    ///< to its target
+  };
 
   Motion(const ompl::base::SpaceInformationPtr& si, double range);
   ~Motion();
@@ -50,6 +56,14 @@ class Motion {
   Reach extend(const ompl::base::State* from, const ompl::base::State* to, GraspId grasp, Side side);
   const ompl::base::State* end() const { return end_; }
 
+  /// How many values of a state can be moved one at a time: joints, coordinates of R^n, angles. 0 in spaces
+  /// with other values, and in those whose motions are not straight.
+  unsigned values() const { return values_; }
+
+  /// `from` with one of its values moved to that of `to`, good until the next call; nullptr when it is there.
+  const ompl::base::State* alongValue(unsigned value, const ompl::base::State* from,
+                                      const ompl::base::State* to);
+
   /// True when the straight motion a -> b is free under `grasp`.
   bool isFree(const ompl::base::State* a, const ompl::base::State* b, GraspId grasp);
 
@@ -62,9 +76,10 @@ class Motion {
   StateDistance distance_;
   double range_;
   bool symmetric_;  ///< whether motions a -> b and b -> a are the same points
+  unsigned values_;
   ompl::base::StateSamplerPtr sampler_;
   ompl::RNG random_;
-  ompl::base::State *sample_, *from_, *to_, *end_;
+  ompl::base::State *sample_, *from_, *to_, *end_, *beside_;
 };
 
 }  // namespace b4p

@@ -36,6 +36,10 @@ struct B4PParameters {
   /// repair: a path that collides after Eq. 3 is repaired, not thrown away.
   bool relaxed = true, repair = true;
 
+  /// Ablation of the default search: where a motion is blocked, a tree goes on along one joint at a time, and
+  /// nodes that cannot move are tried less often.
+  bool slide = true;
+
   /// Empty when all is in range, otherwise what is not.
   std::string problem() const;
 };

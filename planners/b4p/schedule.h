@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <mutex>
-#include <queue>
 #include <vector>
 
 #include "planners/b4p/forest.h"
@@ -13,8 +13,9 @@ namespace b4p {
 /// Which forests grow next, so that new ones come in without limit and none is ever dropped. The age of a
 /// pair of forests is the number of pairs that have come in after it; it is served at ages 0, 1, 2, 4, 8,
 /// ..., or from age 32 on when its first turn shows little promise. When none is due, roots are drawn;
-/// drawing that brings nothing new becomes rarer but never stops, and meanwhile those that are due soonest
-/// have their turn early. Any thread may ask.
+/// drawing that brings nothing new becomes rarer but never stops. Meanwhile turns are early: of these every
+/// second is of the forests that are due soonest, every fourth of those whose two sides have come nearest to
+/// each other, every eighth of the second nearest, and so on. Any thread may ask.
 class Schedule {
  public:
   /// A worker's turn: forests to grow, or roots to draw when `forests` is nullptr.
@@ -25,6 +26,8 @@ class Schedule {
     std::uint64_t age = 0;    ///< at this turn
     std::uint64_t order = 0;  ///< breaks ties: first come, first served
     bool shared = false;      ///< lent without being its turn, because all others are busy
+    bool favoured = false;    ///< lent without being its turn, because its sides are near each other
+    double gap = std::numeric_limits<double>::infinity();  ///< least distance seen between the sides
     /// The very old are all due alike, so that they are served in turn.
     std::uint64_t due() const { return age < kOldest ? born + age : kOldest; }
   };
@@ -46,20 +49,21 @@ class Schedule {
   void giveBack(const Turn& turn, Outcome outcome);
 
  private:
-  struct Later {
-    bool operator()(const Turn& a, const Turn& b) const {
-      return a.due() != b.due() ? a.due() > b.due() : a.order > b.order;
-    }
-  };
+  using Waiting = std::vector<Turn>::iterator;
 
-  bool timeToDraw() const;
-  void push(Turn turn);
+  bool isDue(const Turn& turn) const { return turn.due() <= all_.size(); }
+  bool timeToDraw();
+  Waiting soonestDue();
+  Waiting narrowest(std::size_t rank);
+  Turn lend(Waiting turn);
+  Turn followUp(Turn turn, Outcome outcome);
 
   std::mutex mutex_;
-  std::priority_queue<Turn, std::vector<Turn>, Later> queue_;
+  std::vector<Turn> waiting_;
   std::vector<ForestPair*> all_;
   std::uint64_t orders_ = 0;
   std::uint64_t turns_since_drawing_ = 0;
+  std::uint64_t early_turns_ = 0;
   std::uint64_t pause_ = 0;  ///< turns between two drawings while no forests are due
   std::size_t shared_ = 0;
 };

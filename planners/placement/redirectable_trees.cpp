@@ -20,7 +20,7 @@ RedirectableTrees::~RedirectableTrees() {
 }
 
 RedirectableTrees::RootedTree& RedirectableTrees::plant(Side side, const ob::State* root) {
-  storage_.push_back(Node{si_->cloneState(root), nullptr, nullptr});
+  storage_.emplace_back(si_->cloneState(root), nullptr, nullptr);
   RootedTree& tree = trees_.emplace_back();
   tree.side = side;
   tree.grasp = grasp_;
@@ -105,7 +105,7 @@ const Node* RedirectableTrees::nearest(Side side, const ob::State* state) const 
 
 const Node* RedirectableTrees::grow(const Node* parent, const ob::State* state) {
   RootedTree& tree = treeOf(parent);
-  const Node* node = &storage_.emplace_back(Node{si_->cloneState(state), const_cast<Node*>(parent), &tree});
+  const Node* node = &storage_.emplace_back(si_->cloneState(state), const_cast<Node*>(parent), &tree);
   tree.nodes->add(node);
   if (tree.side == Side::kPlace) ++backward_nodes_;
   return node;

@@ -3,6 +3,7 @@
 // goal region's distances, samples and grasps; grasps drawn once a round; steps of the Jacobian; nearest
 // nodes that are not tried twice.
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <map>
 #include <set>
@@ -332,9 +333,10 @@ TEST(ApproachTable, GivesTheNearestUntriedNode) {
   ApproachTable table(targets);
   std::mt19937_64 random(1);
   EXPECT_EQ(table.draw(random, false), kNoGrasp);
-  std::vector<Node> nodes(4, Node{nullptr, nullptr, nullptr});
+  std::deque<Node> nodes;
   const double x[] = {3.0, 1.0, 6.0, 2.0};
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    nodes.emplace_back(nullptr, nullptr, nullptr);
     const Eigen::Isometry3d X_WT(Eigen::Translation3d(x[i], 0, 0));
     EXPECT_EQ(table.offer(&nodes[i], X_WT, i == 3 ? 0 : kNoGrasp), kNoGrasp);
   }

@@ -61,6 +61,40 @@ TEST_F(Served, FewForestsEquallyOftenForEver) {
   for (const auto& pair : forests) EXPECT_NEAR(turns[pair.get()], kTurns / 5, kTurns / 50);
 }
 
+// Turns that are nobody's: of those of ten forests that are not yet due, a quarter goes to the pair whose
+// sides are nearest to each other, an eighth to the second, and none goes short.
+TEST_F(Served, SidesThatAreNearEachOtherHaveMoreTurns) {
+  constexpr int kForests = 10, kTurns = 20000;
+  for (int i = 0; i < kForests; ++i) schedule.add(newForests());
+  std::map<ForestPair*, int> turns;
+  for (int i = 0; i < kTurns; ++i) {
+    Schedule::Turn turn = schedule.take();
+    if (turn.forests == forests[7].get()) turn.gap = 0.1;
+    if (turn.forests == forests[3].get()) turn.gap = 0.2;
+    ++turns[turn.forests];
+    schedule.giveBack(turn, Outcome::kFruitless);
+  }
+  const double equal = 0.5 * kTurns / kForests;
+  EXPECT_NEAR(turns[forests[7].get()], equal + 0.25 * kTurns, 0.02 * kTurns);
+  EXPECT_NEAR(turns[forests[3].get()], equal + 0.125 * kTurns, 0.02 * kTurns);
+  for (const auto& pair : forests) EXPECT_GT(turns[pair.get()], 0.9 * equal);
+}
+
+TEST_F(Served, ForestsThatAreDueComeBeforeThoseWhoseSidesAreNear) {
+  for (int i = 0; i < 3; ++i) schedule.add(newForests());
+  for (int i = 0; i < 1000; ++i) {
+    Schedule::Turn turn = schedule.take();
+    turn.gap = 0.1;
+    schedule.giveBack(turn, Outcome::kGrown);
+  }
+  for (int i = 0; i < 20; ++i) {
+    schedule.add(newForests());
+    const Schedule::Turn turn = schedule.take();
+    EXPECT_EQ(turn.forests, forests.back().get()) << i;
+    schedule.giveBack(turn, Outcome::kPutOff);
+  }
+}
+
 TEST_F(Served, FruitlessDrawingBecomesRarerButNeverStops) {
   schedule.add(newForests());
   int late_draws = 0;
