@@ -128,13 +128,12 @@ bool DefaultWorker::leavesRoots(const ForestPair& forests) {
 // none.
 bool DefaultWorker::leavesRoots(const ForestPair& forests, Side side) {
   const unsigned steps = search().parameters().retreat_steps;
-  bool leaves = region().retreatDirections() == 0;
+  if (region().retreatDirections() == 0) return true;
   for (Tree* tree : forests.trees(side)) {
-    if (leaves) break;
     search().statistics().nodes += retreat(*tree, steps, region(), motion(), root());
-    leaves = leaves || tree->way_out >= steps / 2;
+    if (tree->way_out >= steps / 2) return true;
   }
-  return leaves;
+  return false;
 }
 
 const ob::State* DefaultWorker::anyRoot(const ForestPair& forests, Side side) {

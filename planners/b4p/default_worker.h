@@ -8,12 +8,12 @@
 
 namespace b4p {
 
-/// The worker of the default search. Each grasp has forests of its own, which grow by RRT-Connect and are
-/// served in turn (Schedule); roots are drawn without limit, and trees leave them by straight ways
-/// (retreat()). Forests whose roots have no long way out are put off, and a turn in which a side cannot move
-/// ends early. Every new node is also offered to the nearest tree of any other grasp: if Eq. 3 has a root
-/// for it, the two are joined and the path repaired. What a failed repair found out is kept: the free ends of
-/// its path join the trees.
+/// The worker of the default search. Each grasp has forests of its own, which grow by RRT-Connect, slide
+/// along what blocks them (slideAndConnect()) and are served in turn (Schedule); roots are drawn without
+/// limit, and trees leave them by straight ways (retreat()). Forests whose roots have no long way out are put
+/// off, and a turn in which a side cannot move ends early. Every new node is also offered to the nearest tree
+/// of any other grasp: if Eq. 3 has a root for it, the two are joined and the path repaired. What a failed
+/// repair found out is kept: the free ends of its path join the trees.
 class DefaultWorker : public Worker {
  public:
   using Worker::Worker;

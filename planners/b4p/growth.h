@@ -30,7 +30,7 @@ struct Expansion {
 /// @tparam Forests  a ForestPair, or what has its grow()
 template <class Forests>
 Expansion expandFrom(Forests& forests, const Node* near, const ompl::base::State* target, Motion& motion) {
-  if (motion.grasps().samePlace(near->state, target)) return {near, true, false, false};
+  if (motion.grasps().samePlace(near->state, target)) return {near, true, false};
   const Motion::Reach reach = motion.extend(near->state, target, near->tree->grasp, near->tree->side);
   if (reach == Motion::Reach::kTrapped) return {nullptr, false, false, true};
   return {forests.grow(near, motion.end()), reach == Motion::Reach::kReached, true,
@@ -68,7 +68,7 @@ void connect(Forests& forests, Side side, Growth& growth, Motion& motion) {
     growth.nodes += met.added;
     if (met.node != nullptr) near = met.node;
   } while (!met.reached && !met.blocked);
-  growth.gap = motion.grasps().distance()(near->state, target);
+  growth.gap = motion.distance(near->state, target);
   if (met.reached)
     growth.junction = side == Side::kPick ? Junction{growth.grown, near} : Junction{near, growth.grown};
 }

@@ -56,6 +56,9 @@ class Motion {
   Reach extend(const ompl::base::State* from, const ompl::base::State* to, GraspId grasp, Side side);
   const ompl::base::State* end() const { return end_; }
 
+  /// Grasps left aside.
+  double distance(const ompl::base::State* a, const ompl::base::State* b) const { return distance_(a, b); }
+
   /// How many values of a state can be moved one at a time: joints, coordinates of R^n, angles. 0 in spaces
   /// with other values, and in those whose motions are not straight.
   unsigned values() const { return values_; }

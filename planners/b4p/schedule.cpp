@@ -31,11 +31,6 @@ Schedule::Waiting Schedule::narrowest(std::size_t rank) {
   return at;
 }
 
-bool Schedule::timeToDraw() {
-  const bool some_due = !waiting_.empty() && isDue(*soonestDue());
-  return !some_due && turns_since_drawing_ >= pause_;
-}
-
 Schedule::Turn Schedule::lend(Waiting turn) {
   Turn lent = *turn;
   lent.favoured = false;
@@ -45,7 +40,9 @@ Schedule::Turn Schedule::lend(Waiting turn) {
 
 Schedule::Turn Schedule::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (all_.empty() || timeToDraw()) {
+  const Waiting next = soonestDue();
+  const bool some_due = next != waiting_.end() && next->due() <= all_.size();
+  if (all_.empty() || (!some_due && turns_since_drawing_ >= pause_)) {
     turns_since_drawing_ = 0;
     return Turn{};
   }
@@ -56,8 +53,7 @@ Schedule::Turn Schedule::take() {
     turn.forests = all_[shared_++ % all_.size()];
     return turn;
   }
-  const Waiting next = soonestDue();
-  if (isDue(*next)) return lend(next);
+  if (some_due) return lend(next);
   const auto halvings = static_cast<std::size_t>(__builtin_ctzll(++early_turns_));
   if (halvings == 0) return lend(next);
   Turn turn = lend(narrowest(halvings - 1));

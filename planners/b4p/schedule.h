@@ -51,8 +51,6 @@ class Schedule {
  private:
   using Waiting = std::vector<Turn>::iterator;
 
-  bool isDue(const Turn& turn) const { return turn.due() <= all_.size(); }
-  bool timeToDraw();
   Waiting soonestDue();
   Waiting narrowest(std::size_t rank);
   Turn lend(Waiting turn);

@@ -40,6 +40,7 @@ inline bool isTried(const Node& node, ompl::RNG& random) {
   return trapped == 0 || random.uniformInt(0, (1 << trapped) - 1) == 0;
 }
 
+/// The node could not move.
 inline void noteTrapped(const Node& node) {
   constexpr unsigned kRarest = 6;
   const unsigned trapped = node.trapped.load(std::memory_order_relaxed);

@@ -19,6 +19,7 @@
 #include <ompl/util/Exception.h>
 
 #include "planners/conformance.h"
+#include "planners/field.h"
 
 namespace b4p::test {
 namespace {
@@ -30,27 +31,11 @@ constexpr double kPlenty_s = 20.0;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// The unit square times ten with a wall at x = 5 that is open above y = 7.
-class PlainProblem : public ::testing::TestWithParam<PlannerCase> {
+class PlainProblem : public ::testing::TestWithParam<PlannerCase>, protected Field {
  protected:
   PlainProblem() {
-    ompl::msg::noOutputHandler();
-    auto space = std::make_shared<ob::RealVectorStateSpace>(2);
-    space->setBounds(0.0, 10.0);
-    si = std::make_shared<ob::SpaceInformation>(space);
-    si->setStateValidityChecker([this](const ob::State* s) { return is_valid(x(s), y(s)); });
-    si->setStateValidityCheckingResolution(0.001);
-    si->setup();
+    is_valid = [](double px, double py) { return std::abs(px - 5.0) > 0.2 || py > 7.0; };
     planner = GetParam().make(si);
-  }
-
-  static double x(const ob::State* s) { return s->as<ob::RealVectorStateSpace::StateType>()->values[0]; }
-  static double y(const ob::State* s) { return s->as<ob::RealVectorStateSpace::StateType>()->values[1]; }
-
-  ob::ScopedState<> at(double px, double py) const {
-    ob::ScopedState<> state(si);
-    state[0] = px;
-    state[1] = py;
-    return state;
   }
 
   ob::ProblemDefinitionPtr problem(const ob::ScopedState<>& start, const ob::ScopedState<>& goal) const {
@@ -82,10 +67,6 @@ class PlainProblem : public ::testing::TestWithParam<PlannerCase> {
     EXPECT_TRUE(path.check());
   }
 
-  std::function<bool(double, double)> is_valid = [](double px, double py) {
-    return std::abs(px - 5.0) > 0.2 || py > 7.0;
-  };
-  ob::SpaceInformationPtr si;
   ob::PlannerPtr planner;
 };
 

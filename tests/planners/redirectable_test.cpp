@@ -16,6 +16,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "planners/field.h"
 #include "planners/manhattan_space.h"
 #include "planners/placement/redirectable_rrt_connect.h"
 #include "planners/toy_world.h"
@@ -26,43 +27,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-using Real = ob::RealVectorStateSpace::StateType;
-
-/// A field of 10 x 10.
-struct Field {
-  Field() {
-    ompl::msg::noOutputHandler();
-    auto space = std::make_shared<ob::RealVectorStateSpace>(2);
-    space->setBounds(0.0, 10.0);
-    si = std::make_shared<ob::SpaceInformation>(space);
-    si->setStateValidityChecker(
-        [this](const ob::State* s) { return is_valid(s->as<Real>()->values[0], s->as<Real>()->values[1]); });
-    si->setStateValidityCheckingResolution(0.001);
-    si->setup();
-  }
-  Field(const Field&) = delete;
-  Field& operator=(const Field&) = delete;
-
-  ob::ScopedState<> at(double x, double y) const {
-    ob::ScopedState<> state(si);
-    state[0] = x;
-    state[1] = y;
-    return state;
-  }
-
-  StateDistance distance() const {
-    return [space = si->getStateSpace()](const ob::State* a, const ob::State* b) {
-      return space->distance(a, b);
-    };
-  }
-
-  static bool isAt(const ob::State* s, double x, double y) {
-    return s->as<Real>()->values[0] == x && s->as<Real>()->values[1] == y;
-  }
-
-  std::function<bool(double, double)> is_valid = [](double, double) { return true; };
-  ob::SpaceInformationPtr si;
-};
+using Real = Field::Point;
 
 bool anyPair(const ob::State*, const ob::State*) { return true; }
 

@@ -2,17 +2,15 @@
 // Promises of growth for narrow places: where the straight motion is blocked, trees go on along the obstacle,
 // by motions that are free; spaces whose values cannot be set one by one have none of it; a node that cannot
 // move is tried more and more rarely, but never given up.
-#include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
-#include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
-#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
-#include <ompl/util/Console.h>
 
 #include "planners/b4p/sliding.h"
+#include "planners/field.h"
 #include "planners/manipulation_state_space.h"
 
 namespace b4p {
@@ -20,34 +18,14 @@ namespace {
 
 namespace ob = ompl::base;
 
-/// A field of 10 x 10 with a wall at x > 4, open above y = 8.
-class Sliding : public ::testing::Test {
+/// A field with a wall at x >= 4 that is open above y = 8.
+class Sliding : public ::testing::Test, protected test::Field {
  protected:
   Sliding() {
-    ompl::msg::noOutputHandler();
-    auto space = std::make_shared<ob::RealVectorStateSpace>(2);
-    space->setBounds(0.0, 10.0);
-    si = std::make_shared<ob::SpaceInformation>(space);
-    si->setStateValidityChecker([](const ob::State* s) {
-      const double* v = s->as<ob::RealVectorStateSpace::StateType>()->values;
-      return v[0] < 4.0 || v[1] > 8.0;
-    });
-    si->setStateValidityCheckingResolution(0.001);
-    si->setup();
-    forests = std::make_unique<ForestPair>(si, GraspAccess(si).distance(), kNoGrasp);
+    is_valid = [](double x, double y) { return x < 4.0 || y > 8.0; };
+    forests = std::make_unique<ForestPair>(si, distance(), kNoGrasp);
   }
 
-  ob::ScopedState<> at(double x, double y) const {
-    ob::ScopedState<> state(si);
-    state[0] = x;
-    state[1] = y;
-    return state;
-  }
-  static double value(const Node& node, unsigned i) {
-    return node.state->as<ob::RealVectorStateSpace::StateType>()->values[i];
-  }
-
-  ob::SpaceInformationPtr si;
   std::unique_ptr<ForestPair> forests;
 };
 
@@ -71,8 +49,8 @@ TEST_F(Sliding, EndsWhereNoValueCanMove) {
   forests->plant(Side::kPick, at(2, 1).get(), kNoGrasp, kNoPlacement);
   const auto growth = slideAndConnect(*forests, Side::kPick, at(9, 5).get(), motion);
   ASSERT_TRUE(growth && growth->grown != nullptr);
-  EXPECT_NEAR(value(*growth->grown, 0), 4.0, 0.02);
-  EXPECT_DOUBLE_EQ(value(*growth->grown, 1), 5.0);
+  EXPECT_NEAR(x(growth->grown->state), 4.0, 0.02);
+  EXPECT_DOUBLE_EQ(y(growth->grown->state), 5.0);
 }
 
 TEST_F(Sliding, KeepsToTheRange) {
@@ -86,8 +64,7 @@ TEST_F(Sliding, KeepsToTheRange) {
 
 TEST_F(Sliding, TriesTrappedNodesMoreRarelyButAgainAndAgain) {
   Motion motion(si, 0.0);
-  const Node* root = forests->plant(Side::kPick, at(4, 5).get(), kNoGrasp, kNoPlacement)->root;
-  const_cast<double*>(root->state->as<ob::RealVectorStateSpace::StateType>()->values)[0] = 3.9999;
+  forests->plant(Side::kPick, at(3.9999, 5).get(), kNoGrasp, kNoPlacement);
   const auto target = at(9, 5);
   int tried = 0, tried_late = 0;
   constexpr int kTimes = 20000;
